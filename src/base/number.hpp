@@ -1,0 +1,33 @@
+#pragma once
+#include <cmath>
+
+#include "base/hd.hpp"
+
+/// Arithmetic that gives the same bits on every machine: + - * / sqrt and explicit fma (numerics 8).
+/// Physics is templated on the number type V: float, double, or a vector pack of either (backend/pack.hpp);
+/// packs bring their own overloads, found by argument-dependent lookup.
+namespace ashlar {
+
+ASHLAR_HD double fma(double a, double b, double c) { return ::fma(a, b, c); }
+ASHLAR_HD float fma(float a, float b, float c) { return ::fmaf(a, b, c); }
+ASHLAR_HD double root(double a) { return ::sqrt(a); }
+ASHLAR_HD float root(float a) { return ::sqrtf(a); }
+
+template <class T>
+ASHLAR_HD T larger(T a, T b) {
+  return a < b ? b : a;
+}
+template <class T>
+ASHLAR_HD T smaller(T a, T b) {
+  return b < a ? b : a;
+}
+
+/// The scalar behind a number type: float for float, double for double; packs specialise it.
+template <class V>
+struct ScalarOf {
+  using type = V;
+};
+template <class V>
+using Scalar = typename ScalarOf<V>::type;
+
+}  // namespace ashlar

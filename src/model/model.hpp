@@ -1,0 +1,210 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/tensor.hpp"
+#include "model/mesh.hpp"
+
+/// The model: what the deck says, on the host, immutable during a run. SI units, temperatures in degrees Celsius.
+/// Filled by script/, or by hand in tests. Every declaration carries the deck line for messages.
+namespace ashlar {
+
+/// A number, or a function of position that is called once per node (or quadrature point) when a stage is set up.
+struct Value {
+  double constant = 0;
+  std::function<double(const Vec3<double>&)> at;  ///< empty: constant
+  double operator()(const Vec3<double>& p) const { return at ? at(p) : constant; }
+};
+
+// ---------------------------------------------------------------- geometry
+
+/// `extrude "dam" { section = {{x,z},...}, length =, size =, layers =, ... }`. Section in the x-z plane, extruded along y from 0.
+struct Extrude {
+  std::string name;                           ///< becomes the region's name
+  Where where;
+  std::vector<std::array<double, 2>> section; ///< (x, z) outline, either orientation, closed implicitly
+  double y0 = 0;                              ///< where the extrusion starts, m
+  double length = 0;                          ///< along y, m
+  double size = 0;                            ///< target element edge, m
+  double layer_size = 0;                      ///< target edge along y; 0: as size
+  int layers = 0;                             ///< along y; 0: from layer_size
+  std::vector<int> corners;                   ///< four 1-based indices into section; empty: by angle
+  std::map<int, int> divisions;               ///< 1-based side (between chosen corners) -> divisions asked; else by size
+  double grade = 1;                           ///< size ratio far edge / near edge towards the outside of a free side (1: uniform)
+  Shape shape = Shape::hex8;                  ///< hex8, or split into wedge6 or tet4
+};
+
+/// `box "bar" { from = {x,y,z}, to = {x,y,z}, cells = {nx,ny,nz} }` (or size): a block of hex8 (or wedge6, tet4 by splitting).
+struct Box {
+  std::string name;
+  Where where;
+  std::array<double, 3> from{}, to{};
+  std::array<int, 3> cells{};                 ///< all >= 1 after reading (script derives them from `size`)
+  Shape shape = Shape::hex8;
+};
+
+/// `import_mesh { file = "dam.msh", regions = {...rename} }`: the mesh itself is read by io/ when the deck is read.
+struct ImportedMesh {
+  std::string name;
+  Where where;
+  std::string file;
+  Mesh mesh;
+};
+
+/// `surface "upstream" { of = "dam", ... }`: every filter given must hold. Selected from outer faces of the regions
+/// (faces between two listed regions are inner; a face towards a region that is not listed counts as outer for `of`).
+struct SurfaceChoice {
+  std::string name;
+  Where where;
+  std::vector<std::string> of;                ///< regions
+  std::vector<std::string> side;              ///< left right (-x +x), front back (-y +y), bottom top (-z +z): within 30 degrees of the direction AND on the region's extreme plane or outline
+  std::optional<Vec3<double>> facing;         ///< direction
+  double within = 0.5235987755982988;         ///< rad from `facing` (default 30 degrees)
+  std::optional<std::array<Vec3<double>, 2>> box;                 ///< facet centroid inside [low, high]
+  std::optional<std::pair<Vec3<double>, Vec3<double>>> plane;     ///< point, normal: all corners on the plane within 1e-6 of the model size
+  std::vector<std::string> group;             ///< surfaces already in the mesh (file groups) to take the facets from; empty: all outer faces
+};
+
+// ---------------------------------------------------------------- materials and interfaces
+
+struct Material {
+  std::string name;
+  Where where;
+  std::vector<std::string> regions;
+  std::string law = "elastic";
+  double density = 0;                         ///< kg/m^3
+  std::optional<double> conductivity;         ///< W/(m K), needed by thermal stages
+  std::optional<double> heat_capacity;        ///< J/(kg K), needed by transient thermal stages
+  std::map<std::string, double> values;       ///< keys of the law (physics/laws)
+};
+
+/// `joint "base" { between = {"dam","rock"}, law = ... }` and `crackable "body" { region = "dam", law = ... }`.
+struct Interface {
+  std::string name;
+  Where where;
+  bool crackable = false;
+  std::vector<std::string> regions;           ///< joint: exactly two; crackable: one or more
+  std::string law;                            ///< physics/interface_laws
+  std::map<std::string, double> values;
+};
+
+// ---------------------------------------------------------------- conditions
+
+struct Fix { bool x = false, y = false, z = false, normal = false; };
+struct Displacement { std::optional<Value> x, y, z; };             ///< m
+struct Gravity { Vec3<double> acceleration; };                      ///< m/s^2
+struct WaterPressure { double level = 0, density = 1000, gravity = 9.81; };  ///< p = density gravity (level - z) below the level
+struct Traction { Value x, y, z; };                                 ///< Pa
+struct FixedTemperature { Value value; std::optional<double> below, above; };  ///< nodes with z <= below, z >= above only
+struct Convection { Value ambient; double film = 0; std::optional<double> below, above; };  ///< facets by centroid z
+struct Flux { Value value; };                                       ///< W/m^2 into the body
+struct InitialTemperature { Value value; std::vector<std::string> regions; };  ///< at the first stage where it acts
+struct TemperatureField { Value value; };                           ///< prescribed everywhere in a stage: degC
+
+struct Condition {
+  using Kind = std::variant<Fix, Displacement, Gravity, WaterPressure, Traction, FixedTemperature, Convection, Flux,
+                            InitialTemperature, TemperatureField>;
+  std::string noun;                           ///< "fix", "gravity", ... as in the deck
+  std::string name;                           ///< may be empty
+  Where where;
+  std::vector<std::string> surfaces;          ///< empty where the noun takes none
+  Kind kind;
+  bool everywhere = true;                     ///< declared outside `apply`: acts in every stage
+};
+
+// ---------------------------------------------------------------- stages
+
+enum class Damping { adaptive, local, viscous };
+
+struct Relaxation {
+  double tolerance = 1e-6;                    ///< unbalanced force ratio (numerics 3)
+  Damping damping = Damping::adaptive;
+  double damping_value = 0;                   ///< local: alpha (0: 0.8); viscous: fraction of velocity lost per step (0: 0.02)
+  double step_factor = 1;                     ///< <= 1; scales the pseudo time step
+  long max_steps = 0;                         ///< 0: chosen from the mesh
+};
+struct StaticSolve { Relaxation relaxation; };
+struct ThermalSolve {
+  bool steady = false;
+  double duration = 0;                        ///< s, transient
+  double tolerance = 1e-10;                   ///< steady: residual norm over its start
+};
+/// Temperature change from the end of stage `from` (or the reference temperature if empty) to the end of stage `to`, applied on
+/// top of the state reached, in `increments` of the load factor, with crack events.
+struct FractureSolve {
+  std::string from, to;
+  int increments = 10;
+  Relaxation relaxation;
+  long max_events = 100000;
+};
+
+struct Stage {
+  std::string name;
+  Where where;
+  std::vector<int> apply;                     ///< indices into Model::conditions, from this stage on
+  std::vector<std::string> remove;            ///< names of conditions that stop acting from this stage on
+  std::variant<StaticSolve, ThermalSolve, FractureSolve> solve;
+  bool reset_displacement = false;            ///< after this stage, output displacement counts from its end
+};
+
+// ---------------------------------------------------------------- what comes out
+
+/// `history "crest" { at = {x,y,z}, record = {"displacement","temperature","stress"} }` or `{ surface = "bottom", record = {"reaction","load","area"} }`.
+struct History {
+  std::string name;
+  Where where;
+  std::optional<Vec3<double>> at;
+  std::string surface;                        ///< resultants over a surface, N
+  std::vector<std::string> record;
+};
+
+/// `output "fields" { record = {...}, at = "stage_end" }`.
+struct Output {
+  std::string name;
+  Where where;
+  std::vector<std::string> record;            ///< names of io/result fields
+  int every = 0;                              ///< 0: stage ends only; n: also every n-th increment of fracture stages / n-th of thermal durations
+};
+
+/// `picture "cracks" { of = "temperature", stage = "winter", ... }`: handed to the plotting program through the manifest.
+struct Picture {
+  std::string name;
+  Where where;
+  std::string of;
+  std::string stage;
+  double deform = 0;                          ///< magnification; 0: undeformed
+  std::string section;                        ///< "" surface view; "y": section at mid y
+};
+
+struct Model {
+  std::string name = "model";
+  Where where;
+  double reference_temperature = 0;           ///< degC, no thermal strain at this temperature; initial temperature unless given
+  std::vector<Extrude> extrudes;
+  std::vector<Box> boxes;
+  std::vector<ImportedMesh> imports;
+  std::vector<SurfaceChoice> surfaces;
+  std::vector<Material> materials;
+  std::vector<Interface> interfaces;
+  std::vector<Condition> conditions;
+  std::vector<Stage> stages;
+  std::vector<History> histories;
+  std::vector<Output> outputs;
+  std::vector<Picture> pictures;
+  Mesh mesh;                                  ///< whole model, filled by build_mesh
+};
+
+/// Meshes every extrude and box, joins imported meshes, resolves surfaces into model.mesh.surfaces.
+/// Nodes of different sources that coincide are merged (conforming extrudes, touching boxes).
+/// Throws DeckError with the declaration's line: empty surface, unknown region, bad elements.
+void build_mesh(Model& model);
+
+/// Everything that only shows when the model is whole (deck.md rule 6). Throws DeckError with all complaints.
+void check_model(const Model& model);
+
+}  // namespace ashlar

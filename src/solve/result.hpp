@@ -1,0 +1,69 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/tensor.hpp"
+
+/// What a run leaves for summaries, expects and studies. Small: scalars and history tables, no fields.
+namespace ashlar {
+
+struct CrackEvent {
+  double load_factor = 0;
+  Vec3<double> place;             ///< of the worst contact point of the group, m
+  int contact_points = 0;         ///< how many broke together
+  std::string interface;          ///< name in the deck
+  std::string mode;               ///< "tension" or "shear"
+};
+
+struct PhaseTime {
+  std::string phase;
+  double seconds = 0;
+};
+
+struct StageResult {
+  std::string name;
+  std::string kind;               ///< "static", "thermal steady", "thermal transient", "fracture"
+  bool converged = false;
+  std::string stop_reason;        ///< "converged", "step limit", "not finite", "block free", "interrupted", ...
+  long steps = 0;                 ///< relaxation steps, heat steps or conjugate-gradient iterations
+  double ratio = 0;               ///< unbalanced force ratio or relative residual at the end
+  double load_factor = 1;         ///< reached by a fracture stage
+  double wall_seconds = 0;
+  std::vector<PhaseTime> phases;
+  std::vector<CrackEvent> events;
+  double cracked_area = 0;                             ///< m^2, all broken contact points at the stage's end
+  std::map<std::string, double> cracked_area_by_direction;  ///< "horizontal" (normal within 30 deg of z), "vertical" (normal within 30 deg of the horizontal plane), "inclined"
+  std::vector<int> free_blocks;                        ///< blocks that lost all contact, Blocks numbering
+  double dissipated_energy = 0;                        ///< J, by sliding and cracking
+};
+
+/// One history: columns with units; a row whenever something was recorded (start, increments, stage ends).
+struct HistoryTable {
+  std::string name;
+  std::vector<std::string> columns;   ///< "displacement.x", "temperature", "stress.zz", "reaction.z", ...
+  std::vector<std::string> units;     ///< "m", "degC", "Pa", "N"
+  struct Row {
+    std::string stage;
+    double time = 0;                  ///< stage number + load factor (static, fracture) or physical seconds inside thermal stages; see solver
+    double load_factor = 0;
+    std::vector<double> values;
+  };
+  std::vector<Row> rows;
+  /// Value of `column` at the end of `stage` ("" : last row). Throws std::out_of_range with the valid names.
+  double at(const std::string& column, const std::string& stage) const;
+};
+
+struct RunResult {
+  std::string device;                 ///< "cpu, 2 threads" or the GPU's name
+  std::vector<StageResult> stages;
+  std::vector<HistoryTable> histories;
+  bool interrupted = false;
+  bool all_converged() const {
+    for (const auto& s : stages)
+      if (!s.converged) return false;
+    return true;
+  }
+};
+
+}  // namespace ashlar
