@@ -1,0 +1,128 @@
+#include "model/mesh.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/error.hpp"
+
+namespace ashlar {
+
+namespace {
+
+constexpr int hex_faces[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+constexpr int wedge_triangles[2][3] = {{0, 2, 1}, {3, 4, 5}};
+constexpr int wedge_quads[3][4] = {{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
+constexpr int tet_faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+
+Vec3<double> mean_of(const std::vector<Vec3<double>>& points, std::span<const int> nodes) {
+  Vec3<double> sum;
+  for (const int n : nodes) sum = sum + points[n];
+  return (1.0 / static_cast<double>(nodes.size())) * sum;
+}
+
+/// A face under the key that both of its owners find: its nodes, sorted, padded with -1.
+struct KeyedFace {
+  std::array<int, 4> nodes;
+  Facet facet;
+  bool operator<(const KeyedFace& other) const {
+    return std::tie(nodes, facet.element, facet.face) < std::tie(other.nodes, other.facet.element, other.facet.face);
+  }
+};
+
+std::vector<KeyedFace> sorted_faces(const Mesh& mesh) {
+  std::vector<KeyedFace> faces;
+  faces.reserve(static_cast<std::size_t>(mesh.element_count()) * 6);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const auto corners = mesh.element(e);
+    for (int f = 0; f < face_count(mesh.shapes[e]); ++f) {
+      KeyedFace keyed{{-1, -1, -1, -1}, {e, f}};
+      std::size_t i = 0;
+      for (const int c : face_corners(mesh.shapes[e], f)) keyed.nodes[i++] = corners[c];
+      std::sort(keyed.nodes.begin(), keyed.nodes.end());
+      faces.push_back(keyed);
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+}  // namespace
+
+std::span<const int> face_corners(Shape shape, int face) {
+  switch (shape) {
+    case Shape::hex8:
+      return hex_faces[face];
+    case Shape::wedge6:
+      if (face < 2) return wedge_triangles[face];
+      return wedge_quads[face - 2];
+    case Shape::tet4:
+      break;
+  }
+  return tet_faces[face];
+}
+
+void Mesh::add_element(Shape shape, std::span<const int> nodes, int region, long source_id) {
+  shapes.push_back(shape);
+  corners.insert(corners.end(), nodes.begin(), nodes.end());
+  first_corner.push_back(static_cast<int>(corners.size()));
+  regions.push_back(region);
+  source_ids.push_back(source_id);
+}
+
+Vec3<double> Mesh::centroid(int e) const { return mean_of(points, element(e)); }
+
+std::vector<int> Mesh::facet_nodes(const Facet& f) const {
+  const auto corners_of_element = element(f.element);
+  std::vector<int> nodes;
+  for (const int c : face_corners(shapes[f.element], f.face)) nodes.push_back(corners_of_element[c]);
+  return nodes;
+}
+
+Vec3<double> Mesh::facet_centroid(const Facet& f) const { return mean_of(points, facet_nodes(f)); }
+
+Vec3<double> Mesh::facet_area(const Facet& f) const {
+  const auto n = facet_nodes(f);
+  if (n.size() == 3) return 0.5 * cross(points[n[1]] - points[n[0]], points[n[2]] - points[n[0]]);
+  // The integral of n dA over a bilinear quad is half the product of its diagonals, exactly, warped or not.
+  return 0.5 * cross(points[n[2]] - points[n[0]], points[n[3]] - points[n[1]]);
+}
+
+const Surface* Mesh::find_surface(const std::string& name) const {
+  for (const auto& surface : surfaces)
+    if (surface.name == name) return &surface;
+  return nullptr;
+}
+
+int Mesh::find_region(const std::string& name) const {
+  const auto at = std::find(region_names.begin(), region_names.end(), name);
+  return at == region_names.end() ? -1 : static_cast<int>(at - region_names.begin());
+}
+
+FaceGraph find_faces(const Mesh& mesh) {
+  const auto faces = sorted_faces(mesh);
+  FaceGraph graph;
+  for (std::size_t i = 0; i < faces.size();) {
+    std::size_t end = i + 1;
+    while (end < faces.size() && faces[end].nodes == faces[i].nodes) ++end;
+    if (end - i > 2) {
+      std::string elements;
+      for (std::size_t k = i; k < end; ++k)
+        elements += (elements.empty() ? "" : ", ") + std::to_string(mesh.source_ids[faces[k].facet.element]);
+      throw DeckError(Where{}, "one face belongs to more than two elements (" + elements + "): elements overlap");
+    }
+    if (end - i == 2)
+      graph.inner.push_back({faces[i].facet, faces[i + 1].facet});
+    else
+      graph.outer.push_back(faces[i].facet);
+    i = end;
+  }
+  const auto before = [](const Facet& a, const Facet& b) {
+    return std::tie(a.element, a.face) < std::tie(b.element, b.face);
+  };
+  std::sort(graph.outer.begin(), graph.outer.end(), before);
+  std::sort(graph.inner.begin(), graph.inner.end(),
+            [&](const FacePair& p, const FacePair& q) { return before(p.a, q.a); });
+  return graph;
+}
+
+}  // namespace ashlar
