@@ -1,0 +1,125 @@
+#pragma once
+#include <cstdint>
+
+#include "base/key.hpp"
+#include "base/tensor.hpp"
+
+/// One spring of an interface, pointwise: traction from the relative displacement of its two sides, and how near it is
+/// to cracking (numerics 5). Tension and opening are positive; the normal points from side a to side b; gap = u_b -
+/// u_a.
+namespace ashlar {
+
+/// State of a contact point, as results show it.
+enum class ContactState : std::uint8_t { intact = 0, cracked_in_tension = 1, cracked_in_shear = 2 };
+
+/// What an interface law is to a spring. All laws share this form:
+/// elastic is bonded and cannot break, brittle is bonded and can, frictional was never bonded.
+template <class Real>
+struct SpringLaw {
+  Real tensile_strength = 0;  ///< Pa
+  Real cohesion = 0;          ///< Pa
+  Real tan_friction = 0;      ///< of the bond's shear strength and of sliding after it has cracked
+  bool bonded = false;        ///< intact contact points carry tension, and shear without sliding
+  bool breakable = false;
+
+  template <class Other>
+  SpringLaw<Other> as() const {
+    return {Other(tensile_strength), Other(cohesion), Other(tan_friction), bonded, breakable};
+  }
+  ASHLAR_HD bool holds(ContactState state) const { return bonded && state == ContactState::intact; }
+  ASHLAR_HD bool can_break(ContactState state) const { return breakable && state == ContactState::intact; }
+};
+
+/// Pa/m.
+template <class Real>
+struct SpringStiffness {
+  Real normal = 0, shear = 0;
+};
+
+/// Vector split into its component along the normal and the rest.
+template <class Real>
+struct Split {
+  Real normal;
+  Vec3<Real> shear;
+};
+template <class Real>
+ASHLAR_HD Split<Real> split(const Vec3<Real>& v, const Vec3<Real>& n) {
+  const Real along = dot(v, n);
+  return {along, {fma(-along, n.x, v.x), fma(-along, n.y, v.y), fma(-along, n.z, v.z)}};
+}
+template <class Real>
+ASHLAR_HD Vec3<Real> joined(const Split<Real>& s, const Vec3<Real>& n) {
+  return {fma(s.normal, n.x, s.shear.x), fma(s.normal, n.y, s.shear.y), fma(s.normal, n.z, s.shear.z)};
+}
+
+/// Traction that side b exerts on side a, Pa (side a gets +traction, side b the opposite), and the slip that goes with
+/// it.
+template <class Real>
+struct SpringAnswer {
+  Split<Real> traction;
+  Vec3<Real> slip;  ///< m, tangential relative displacement without elastic part
+};
+
+/// Bonded: t_n = k_n g_n, t_s = k_s (g_s - slip). Otherwise an open contact carries nothing and forgets its shear (slip
+/// follows the gap); a closed one carries compression with the full k_n and shear up to |t_s| = -t_n tan(phi) (Coulomb
+/// return). Sliding depends on the path: explicit steps move the slip at every step, overshoot included.
+template <class Real>
+ASHLAR_HD SpringAnswer<Real> spring_traction(bool bonded, Real tan_friction, const SpringStiffness<Real>& stiffness,
+                                             const Split<Real>& gap, const Vec3<Real>& slip) {
+  const Real normal = stiffness.normal * gap.normal;
+  if (!bonded && gap.normal > Real(0)) return {{Real(0), {}}, gap.shear};
+  const Vec3<Real> trial = stiffness.shear * (gap.shear - slip);
+  if (bonded) return {{normal, trial}, slip};
+  const Real limit = -normal * tan_friction, size = norm(trial);
+  if (size <= limit) return {{normal, trial}, slip};
+  const Real keep = limit / size;  // size > limit >= 0
+  const Real slid = (Real(1) - keep) / stiffness.shear;
+  return {{normal, keep * trial}, slip + slid * trial};
+}
+
+/// How much of the strength a bonded contact uses; it cracks at 1.
+/// Tension: t_n / T. Shear: (|t_s| + t_n tan(phi)) / c, which is 1 on |t_s| = c - t_n tan(phi).
+template <class Real>
+struct Utilisation {
+  Real tension, shear;
+  ASHLAR_HD Real largest() const { return tension < shear ? shear : tension; }
+  ASHLAR_HD ContactState mode() const {
+    return tension < shear ? ContactState::cracked_in_shear : ContactState::cracked_in_tension;
+  }
+};
+template <class Real>
+ASHLAR_HD Utilisation<Real> utilisation(const SpringLaw<Real>& law, const Split<Real>& traction) {
+  return {traction.normal / law.tensile_strength,
+          fma(traction.normal, law.tan_friction, norm(traction.shear)) / law.cohesion};
+}
+
+/// The stiffness keys that every interface law has.
+struct StiffnessKeys {
+  double normal_stiffness = 0, shear_stiffness = 0, stiffness_factor = 100;
+};
+template <class Law>
+constexpr LawKey<Law> normal_stiffness_key{
+    "normal_stiffness",
+    &Law::normal_stiffness,
+    dimension::stiffness_per_area,
+    range::not_negative,
+    0.0,
+    "spring stiffness across the interface; 0: stiffness_factor * (lambda + 2 mu) / (half heights of both elements)"};
+template <class Law>
+constexpr LawKey<Law> shear_stiffness_key{
+    "shear_stiffness",
+    &Law::shear_stiffness,
+    dimension::stiffness_per_area,
+    range::not_negative,
+    0.0,
+    "spring stiffness along the interface; 0: stiffness_factor * mu / (half heights of both elements)"};
+template <class Law>
+constexpr LawKey<Law> stiffness_factor_key{"stiffness_factor",
+                                           &Law::stiffness_factor,
+                                           dimension::none,
+                                           range::positive,
+                                           100.0,
+                                           "stiffness of a spring over that of the weaker element beside it: 100 adds "
+                                           "about 1 % to displacements; steps grow with its root"};
+
+}  // namespace ashlar
