@@ -1,0 +1,198 @@
+#include "model/blocks.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ashlar {
+
+namespace {
+
+/// Disjoint sets whose representative is their smallest member.
+class Sets {
+ public:
+  explicit Sets(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int find(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(int a, int b) {
+    a = find(a), b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+std::string kind_and_name(const Interface& i) { return (i.crackable ? "crackable '" : "joint '") + i.name + "'"; }
+
+/// Which interface a face between two regions belongs to.
+class InterfaceTable {
+ public:
+  static constexpr int none = -1;
+
+  explicit InterfaceTable(const Model& model)
+      : model_(model),
+        regions_(static_cast<int>(model.mesh.region_names.size())),
+        joint_(regions_ * regions_, none),
+        crackable_(regions_, none) {
+    Complaints wrong;
+    for (int i = 0; i < static_cast<int>(model.interfaces.size()); ++i) {
+      const auto& declared = model.interfaces[i];
+      std::vector<int> regions;
+      for (const auto& name : declared.regions) {
+        regions.push_back(model.mesh.find_region(name));
+        if (regions.back() < 0)
+          wrong.add(declared.where,
+                    kind_and_name(declared) + ": no region '" + name + "'; there are: " + region_list());
+      }
+      if (std::count(regions.begin(), regions.end(), none)) continue;
+      if (declared.crackable) {
+        for (const int r : regions) claim(crackable_[r], i, "region '" + model.mesh.region_names[r] + "'", wrong);
+      } else if (regions.size() == 2 && regions[0] != regions[1]) {
+        const int a = std::min(regions[0], regions[1]), b = std::max(regions[0], regions[1]);
+        claim(joint_[a * regions_ + b], i,
+              "the faces between '" + model.mesh.region_names[a] + "' and '" + model.mesh.region_names[b] + "'", wrong);
+      } else {
+        wrong.add(declared.where, kind_and_name(declared) + ": 'between' takes two different regions");
+      }
+    }
+    wrong.raise();
+  }
+
+  /// Index into Model::interfaces, or none. Throws DeckError where two crackables meet without a joint.
+  int of(int region_a, int region_b) const {
+    if (region_a == region_b) return crackable_[region_a];
+    const int joint = joint_[std::min(region_a, region_b) * regions_ + std::max(region_a, region_b)];
+    if (joint != none) return joint;
+    const int a = crackable_[region_a], b = crackable_[region_b];
+    if (a != none && b != none && a != b) {
+      const auto& later = model_.interfaces[std::max(a, b)];
+      throw DeckError(later.where, kind_and_name(later) + " meets " + kind_and_name(model_.interfaces[std::min(a, b)]) +
+                                       " and nothing says which law holds between them: add joint { between = { '" +
+                                       model_.mesh.region_names[region_a] + "', '" +
+                                       model_.mesh.region_names[region_b] + "' }, ... }");
+    }
+    return a != none ? a : b;
+  }
+
+ private:
+  void claim(int& owner, int interface, const std::string& what, Complaints& wrong) const {
+    if (owner != none && owner != interface)
+      wrong.add(model_.interfaces[interface].where, kind_and_name(model_.interfaces[interface]) + ": " +
+                                                        kind_and_name(model_.interfaces[owner]) + " already takes " +
+                                                        what);
+    owner = interface;
+  }
+  std::string region_list() const {
+    std::string list;
+    for (const auto& name : model_.mesh.region_names) list += (list.empty() ? "" : ", ") + name;
+    return list;
+  }
+
+  const Model& model_;
+  int regions_;
+  std::vector<int> joint_;      ///< [smaller region * regions + larger region]
+  std::vector<int> crackable_;  ///< [regions]
+};
+
+/// Corners of all elements grouped by mesh node: corners first[n] .. first[n+1]-1 of `corner` touch node n, elements
+/// ascending.
+struct CornersOfNodes {
+  std::vector<int> first, corner;
+};
+CornersOfNodes corners_of_nodes(const Mesh& mesh) {
+  CornersOfNodes of;
+  of.first.assign(mesh.node_count() + 1, 0);
+  for (const int n : mesh.corners) ++of.first[n + 1];
+  std::partial_sum(of.first.begin(), of.first.end(), of.first.begin());
+  of.corner.resize(mesh.corners.size());
+  auto next = of.first;
+  for (int c = 0; c < static_cast<int>(mesh.corners.size()); ++c) of.corner[next[mesh.corners[c]]++] = c;
+  return of;
+}
+
+void refuse_joints_without_faces(const Model& model, const std::vector<InterfaceFace>& faces) {
+  std::vector<int> count(model.interfaces.size(), 0);
+  for (const auto& face : faces) ++count[face.interface];
+  Complaints wrong;
+  for (std::size_t i = 0; i < model.interfaces.size(); ++i) {
+    const auto& declared = model.interfaces[i];
+    if (count[i] || declared.crackable) continue;
+    wrong.add(declared.where, kind_and_name(declared) + ": regions '" + declared.regions[0] + "' and '" +
+                                  declared.regions[1] +
+                                  "' share no face: their meshes must have the same corner nodes where they touch");
+  }
+  wrong.raise();
+}
+
+}  // namespace
+
+Blocks split_blocks(const Model& model, const FaceGraph& graph) {
+  const Mesh& mesh = model.mesh;
+  const InterfaceTable table(model);
+  Blocks blocks;
+
+  // Two corners of one mesh node get one copy of it if shared faces that are no interface connect their elements around
+  // it.
+  Sets copies(static_cast<int>(mesh.corners.size()));
+  std::vector<char> touches_interface(mesh.node_count(), 0);
+  std::vector<FacePair> inside;
+  for (const auto& pair : graph.inner) {
+    const int interface = table.of(mesh.regions[pair.a.element], mesh.regions[pair.b.element]);
+    if (interface == InterfaceTable::none) {
+      inside.push_back(pair);
+    } else {
+      blocks.faces.push_back({pair.a, pair.b, interface});
+      for (const int n : mesh.facet_nodes(pair.a)) touches_interface[n] = 1;
+    }
+  }
+  refuse_joints_without_faces(model, blocks.faces);
+
+  const auto corner_at = [&](int element, int node) {
+    const auto nodes = mesh.element(element);
+    return mesh.first_corner[element] + static_cast<int>(std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
+  };
+  for (const auto& pair : inside)
+    for (const int n : mesh.facet_nodes(pair.a))
+      if (touches_interface[n]) copies.join(corner_at(pair.a.element, n), corner_at(pair.b.element, n));
+
+  // Copies in mesh-node order, then by lowest element: a set's representative is its corner in the lowest element.
+  const auto around = corners_of_nodes(mesh);
+  blocks.corners.assign(mesh.corners.size(), -1);
+  blocks.first_copy.assign(1, 0);
+  for (int n = 0; n < mesh.node_count(); ++n) {
+    if (!touches_interface[n]) {
+      for (int i = around.first[n]; i < around.first[n + 1]; ++i)
+        blocks.corners[around.corner[i]] = blocks.node_count();
+      blocks.mesh_node.push_back(n);
+    } else {
+      for (int i = around.first[n]; i < around.first[n + 1]; ++i) {
+        const int corner = around.corner[i], head = copies.find(corner);
+        if (head == corner) {
+          blocks.corners[corner] = blocks.node_count();
+          blocks.mesh_node.push_back(n);
+        } else {
+          blocks.corners[corner] = blocks.corners[head];
+        }
+      }
+    }
+    blocks.first_copy.push_back(blocks.node_count());
+  }
+
+  Sets elements(mesh.element_count());
+  std::vector<int> owner(blocks.node_count(), -1);
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (int c = mesh.first_corner[e]; c < mesh.first_corner[e + 1]; ++c) {
+      int& first = owner[blocks.corners[c]];
+      if (first < 0) first = e;
+      elements.join(first, e);
+    }
+  blocks.block_of_element.resize(mesh.element_count());
+  for (int e = 0; e < mesh.element_count(); ++e)
+    blocks.block_of_element[e] =
+        elements.find(e) == e ? blocks.block_count++ : blocks.block_of_element[elements.find(e)];
+  return blocks;
+}
+
+}  // namespace ashlar

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/blocks.hpp"
+#include "physics/interface_laws/interface_laws.hpp"
+#include "physics/laws/laws.hpp"
+
+namespace ashlar {
+
+namespace {
+
+/// One quadrature point of a bilinear quad.
+struct QuadPoint {
+  std::array<double, 4> shape;  ///< N_i
+  Vec3<double> area;            ///< normal times weighted area, m^2
+};
+
+/// 2x2 Gauss.
+std::array<QuadPoint, 4> quad_points(const std::array<Vec3<double>, 4>& p) {
+  std::array<QuadPoint, 4> points;
+  const double g = 1 / std::sqrt(3.0);
+  int q = 0;
+  for (const double s : {-g, g})
+    for (const double t : {-g, g}) {
+      const Vec3<double> along_s = (0.25 * (1 - t)) * (p[1] - p[0]) + (0.25 * (1 + t)) * (p[2] - p[3]);
+      const Vec3<double> along_t = (0.25 * (1 - s)) * (p[3] - p[0]) + (0.25 * (1 + s)) * (p[2] - p[1]);
+      points[q++] = {{(1 - s) * (1 - t) / 4, (1 + s) * (1 - t) / 4, (1 + s) * (1 + t) / 4, (1 - s) * (1 + t) / 4},
+                     cross(along_s, along_t)};
+    }
+  return points;
+}
+
+/// Integral of every shape function over one facet, m^2, in the order of facet_nodes; exact thirds on a triangle.
+std::array<double, 4> corner_areas(const Mesh& mesh, const Facet& facet) {
+  const auto nodes = mesh.facet_nodes(facet);
+  if (nodes.size() == 3) {
+    const double third = norm(mesh.facet_area(facet)) / 3;
+    return {third, third, third, 0};
+  }
+  std::array<double, 4> areas{};
+  for (const auto& q :
+       quad_points({mesh.points[nodes[0]], mesh.points[nodes[1]], mesh.points[nodes[2]], mesh.points[nodes[3]]}))
+    for (int i = 0; i < 4; ++i) areas[i] += q.shape[i] * norm(q.area);
+  return areas;
+}
+
+/// m^3: a third of the integral of x . n dA over the facets, exact on bilinear quads with 2x2 Gauss.
+double element_volume(const Mesh& mesh, int element) {
+  const Vec3<double> origin = mesh.centroid(element);
+  double volume = 0;
+  for (int f = 0; f < face_count(mesh.shapes[element]); ++f) {
+    const Facet facet{element, f};
+    const auto nodes = mesh.facet_nodes(facet);
+    if (nodes.size() == 3) {
+      volume += dot(mesh.points[nodes[0]] - origin, mesh.facet_area(facet)) / 3;
+      continue;
+    }
+    std::array<Vec3<double>, 4> p;
+    for (int i = 0; i < 4; ++i) p[i] = mesh.points[nodes[i]] - origin;
+    for (const auto& q : quad_points(p))
+      for (int i = 0; i < 4; ++i) volume += q.shape[i] * dot(p[i], q.area) / 3;
+  }
+  return volume;
+}
+
+/// Moduli of the elastic part of one region's material, Pa.
+struct Moduli {
+  double oedometric = 0, shear = 0;
+};
+
+std::vector<Moduli> moduli_of_regions(const Model& model) {
+  std::vector<Moduli> moduli(model.mesh.region_names.size());
+  for (const auto& material : model.materials)
+    for (const auto& region : material.regions) {
+      const int r = model.mesh.find_region(region);
+      if (r < 0) continue;
+      const auto elastic = make_law<Elastic>(material.values);
+      moduli[r] = {elastic.oedometric(), elastic.shear()};
+    }
+  return moduli;
+}
+
+std::string what(const Interface& i) { return (i.crackable ? "crackable '" : "joint '") + i.name + "'"; }
+
+}  // namespace
+
+ContactPoints place_contacts(const Model& model, const Blocks& blocks) {
+  const Mesh& mesh = model.mesh;
+  std::vector<InterfaceConstants> constants;
+  for (const auto& i : model.interfaces) constants.push_back(interface_constants(i.law, i.values, i.where, what(i)));
+  const auto moduli = moduli_of_regions(model);
+
+  const auto block_node = [&](int element, int mesh_node) {
+    const auto nodes = mesh.element(element);
+    const auto at = std::find(nodes.begin(), nodes.end(), mesh_node) - nodes.begin();
+    return blocks.corners[mesh.first_corner[element] + at];
+  };
+
+  ContactPoints contacts;
+  for (int f = 0; f < static_cast<int>(blocks.faces.size()); ++f) {
+    const auto& face = blocks.faces[f];
+    const auto nodes = mesh.facet_nodes(face.a);
+    const auto areas = corner_areas(mesh, face.a);
+    const double area = areas[0] + areas[1] + areas[2] + areas[3];
+    const Vec3<double> along = mesh.facet_area(face.a);
+    const Vec3<double> normal = (1 / norm(along)) * along;
+
+    // An element's height normal to its face is its volume over the face's area; half of it lies on each side of its
+    // middle.
+    const double half_heights =
+        (element_volume(mesh, face.a.element) + element_volume(mesh, face.b.element)) / (2 * area);
+    const auto& a = moduli[mesh.regions[face.a.element]];
+    const auto& b = moduli[mesh.regions[face.b.element]];
+    const auto& given = constants[face.interface].stiffness;
+    const double per_modulus = given.stiffness_factor / half_heights;
+    const double normal_stiffness =
+        given.normal_stiffness > 0 ? given.normal_stiffness : per_modulus * std::min(a.oedometric, b.oedometric);
+    const double shear_stiffness =
+        given.shear_stiffness > 0 ? given.shear_stiffness : per_modulus * std::min(a.shear, b.shear);
+    if (!(normal_stiffness > 0 && shear_stiffness > 0))
+      throw DeckError(model.interfaces[face.interface].where,
+                      what(model.interfaces[face.interface]) + ": no stiffness, because region '" +
+                          mesh.region_names[mesh.regions[(a.shear > 0 ? face.b : face.a).element]] +
+                          "' has no material: give it one, or give normal_stiffness and shear_stiffness");
+
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      contacts.node_a.push_back(block_node(face.a.element, nodes[i]));
+      contacts.node_b.push_back(block_node(face.b.element, nodes[i]));
+      contacts.face.push_back(f);
+      contacts.interface.push_back(face.interface);
+      contacts.normal.push_back(normal);
+      contacts.area.push_back(areas[i]);
+      contacts.normal_stiffness.push_back(normal_stiffness);
+      contacts.shear_stiffness.push_back(shear_stiffness);
+    }
+  }
+  return contacts;
+}
+
+}  // namespace ashlar
