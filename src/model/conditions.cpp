@@ -1,0 +1,70 @@
+#include "model/conditions.hpp"
+
+#include <algorithm>
+
+namespace ashlar {
+
+namespace {
+
+struct Entry {
+  ActingCondition acting;
+  int given = -1;  // stage that gave it; -1: before the first
+};
+
+std::vector<const Surface*> surfaces_of(const Model& model, const Condition& condition) {
+  std::vector<const Surface*> surfaces;
+  for (const std::string& name : condition.surfaces) {
+    const Surface* surface = model.mesh.find_surface(name);
+    if (!surface) throw DeckError(condition.where, condition.noun + ": there is no surface '" + name + "'");
+    surfaces.push_back(surface);
+  }
+  return surfaces;
+}
+
+/// Takes the surfaces of `newer` away from entries of the same noun that earlier stages gave.
+void replace_older(std::vector<Entry>& entries, const Entry& newer) {
+  std::erase_if(entries, [&](Entry& old) {
+    if (old.given >= newer.given || old.acting.condition->noun != newer.acting.condition->noun) return false;
+    if (old.acting.condition->surfaces.empty()) return true;
+    for (const Surface* taken : newer.acting.surfaces) std::erase(old.acting.surfaces, taken);
+    return old.acting.surfaces.empty();
+  });
+}
+
+}  // namespace
+
+std::vector<ActingCondition> acting_conditions(const Model& model, int stage) {
+  std::vector<Entry> entries;
+  const auto give = [&](const Condition& condition, int given) {
+    std::erase_if(entries, [&](const Entry& old) { return old.acting.condition == &condition; });
+    Entry entry{{&condition, surfaces_of(model, condition)}, given};
+    replace_older(entries, entry);
+    entries.push_back(std::move(entry));
+  };
+  for (const Condition& condition : model.conditions)
+    if (condition.everywhere) give(condition, -1);
+  for (int s = 0; s <= stage; ++s) {
+    for (const std::string& name : model.stages[s].remove)
+      std::erase_if(entries, [&](const Entry& old) { return old.acting.condition->name == name; });
+    for (const int index : model.stages[s].apply) give(model.conditions[index], s);
+  }
+  std::vector<ActingCondition> acting;
+  for (Entry& entry : entries) acting.push_back(std::move(entry.acting));
+  return acting;
+}
+
+std::vector<const Material*> materials_by_region(const Model& model) {
+  std::vector<const Material*> materials(model.mesh.region_names.size(), nullptr);
+  for (const Material& material : model.materials)
+    for (const std::string& region : material.regions) {
+      const int r = model.mesh.find_region(region);
+      if (r >= 0) materials[r] = &material;
+    }
+  Complaints complaints;
+  for (std::size_t r = 0; r < materials.size(); ++r)
+    if (!materials[r]) complaints.add(model.where, "region '" + model.mesh.region_names[r] + "' has no material");
+  complaints.raise();
+  return materials;
+}
+
+}  // namespace ashlar

@@ -1,0 +1,24 @@
+#pragma once
+#include <vector>
+
+#include "model/model.hpp"
+
+/// Which conditions act in a stage, and where.
+namespace ashlar {
+
+/// One condition with the surfaces on which it still holds.
+struct ActingCondition {
+  const Condition* condition = nullptr;
+  std::vector<const Surface*> surfaces;  ///< in the deck's order; empty for nouns without surfaces
+};
+
+/// Conditions that act in stage `stage` (0-based), oldest first. Those declared outside `apply` are older than the
+/// first stage. A condition of the same noun on the same surface given by a later stage replaces the earlier one there
+/// (nouns without surfaces: altogether); conditions given together add up. `remove` acts before `apply` of the same
+/// stage. Throws DeckError for a surface that does not exist.
+std::vector<ActingCondition> acting_conditions(const Model& model, int stage);
+
+/// Material of every mesh region. Throws DeckError naming regions without one.
+std::vector<const Material*> materials_by_region(const Model& model);
+
+}  // namespace ashlar

@@ -1,0 +1,226 @@
+#include "model/loads.hpp"
+
+#include <algorithm>
+
+#include "physics/gauss_table.hpp"
+
+namespace ashlar {
+
+namespace {
+
+template <class Element>
+std::array<double, 8> volumes_of(const Mesh& mesh, int element) {
+  const std::span<const int> nodes = mesh.element(element);
+  double x[3][Element::corners], volumes[Element::corners];
+  for (int k = 0; k < Element::corners; ++k)
+    for (int i = 0; i < 3; ++i) x[i][k] = mesh.points[nodes[k]][i];
+  corner_volumes<Element>(x, volumes);
+  std::array<double, 8> all{};
+  std::copy(volumes, volumes + Element::corners, all.begin());
+  return all;
+}
+
+/// Integral of N_k dV of one element, m^3.
+std::array<double, 8> element_corner_volumes(const Mesh& mesh, int element) {
+  switch (mesh.shapes[element]) {
+    case Shape::hex8:
+      return volumes_of<Hex8<double>>(mesh, element);
+    case Shape::wedge6:
+      return volumes_of<Wedge6<double>>(mesh, element);
+    case Shape::tet4:
+      break;
+  }
+  return volumes_of<Tet4<double>>(mesh, element);
+}
+
+void add_force(std::span<double> force, const std::array<int, 4>& nodes, const std::array<double, 4>& shape,
+               const Vec3<double>& f) {
+  for (int k = 0; k < 4; ++k)
+    for (int i = 0; i < 3; ++i) force[3 * nodes[k] + i] += shape[k] * f[i];
+}
+
+/// Chooses by height. The slack, 1e-9 of the mesh's height, keeps nodes that lie on the level up to rounding.
+struct HeightFilter {
+  double slack = 0;
+  explicit HeightFilter(const Mesh& mesh) {
+    const auto lower = [](const Vec3<double>& p, const Vec3<double>& q) { return p.z < q.z; };
+    const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(), lower);
+    if (low != mesh.points.end()) slack = 1e-9 * (high->z - low->z);
+  }
+  bool keeps(double z, const std::optional<double>& below, const std::optional<double>& above) const {
+    return (!below || z <= *below + slack) && (!above || z >= *above - slack);
+  }
+};
+
+FilmFacet film_facet(const Mesh& mesh, std::span<const int> corners, const Facet& facet, double film) {
+  FilmFacet f{facet_nodes(mesh, corners, facet), {}};
+  for (const FacetPoint& point : facet_points(facet_corners(mesh, facet))) {
+    const double weight = film * norm(point.area);
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) f.matrix[i][j] += weight * point.shape[i] * point.shape[j];
+  }
+  return f;
+}
+
+/// Adds the integral of N_i q dA, W.
+void add_heat(const Mesh& mesh, std::span<const int> corners, const Facet& facet, const Value& value, double factor,
+              std::span<double> heat) {
+  const std::array<int, 4> nodes = facet_nodes(mesh, corners, facet);
+  for (const FacetPoint& point : facet_points(facet_corners(mesh, facet))) {
+    const double through = factor * value(point.position) * norm(point.area);
+    for (int i = 0; i < 4; ++i) heat[nodes[i]] += point.shape[i] * through;
+  }
+}
+
+}  // namespace
+
+std::array<int, 4> facet_nodes(const Mesh& mesh, std::span<const int> corners, const Facet& facet) {
+  const std::span<const int> local = face_corners(mesh.shapes[facet.element], facet.face);
+  std::array<int, 4> nodes;
+  for (std::size_t k = 0; k < 4; ++k)
+    nodes[k] = corners[mesh.first_corner[facet.element] + local[std::min(k, local.size() - 1)]];
+  return nodes;
+}
+
+FacetCorners facet_corners(const Mesh& mesh, const Facet& facet) {
+  FacetCorners x;
+  const std::array<int, 4> nodes = facet_nodes(mesh, mesh.corners, facet);
+  for (int k = 0; k < 4; ++k) x[k] = mesh.points[nodes[k]];
+  return x;
+}
+
+std::vector<int> surface_nodes(const Mesh& mesh, std::span<const int> corners, const Surface& surface) {
+  std::vector<int> nodes;
+  for (const Facet& facet : surface.facets)
+    for (const int n : facet_nodes(mesh, corners, facet)) nodes.push_back(n);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+void add_nodal_areas(const Mesh& mesh, std::span<const int> corners, const Surface& surface, std::span<double> area) {
+  for (const Facet& facet : surface.facets) add_heat(mesh, corners, facet, Value{1, {}}, 1, area);
+}
+
+SurfaceArea surface_area(const Mesh& mesh, const Surface& surface) {
+  SurfaceArea sum;
+  for (const Facet& facet : surface.facets)
+    for (const FacetPoint& point : facet_points(facet_corners(mesh, facet))) {
+      const double area = norm(point.area);
+      sum.area += area;
+      sum.moment = sum.moment + area * point.position;
+    }
+  return sum;
+}
+
+Resultant resultant(std::span<const Vec3<double>> points, std::span<const double> force, std::span<const int> nodes) {
+  Resultant sum;
+  for (const int n : nodes) {
+    const Vec3<double> f{force[3 * n], force[3 * n + 1], force[3 * n + 2]};
+    sum.force = sum.force + f;
+    sum.moment = sum.moment + cross(points[n], f);
+  }
+  return sum;
+}
+
+void add_gravity(const Model& model, std::span<const int> corners, const Vec3<double>& g, std::span<double> force) {
+  const Mesh& mesh = model.mesh;
+  const std::vector<const Material*> materials = materials_by_region(model);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const std::array<double, 8> volume = element_corner_volumes(mesh, e);
+    const double density = materials[mesh.regions[e]]->density;
+    for (int k = 0; k < corner_count(mesh.shapes[e]); ++k)
+      for (int i = 0; i < 3; ++i) force[3 * corners[mesh.first_corner[e] + k] + i] += volume[k] * density * g[i];
+  }
+}
+
+void add_water_pressure(const Mesh& mesh, std::span<const int> corners, const Surface& surface,
+                        const WaterPressure& water, std::span<double> force) {
+  for (const Facet& facet : surface.facets) {
+    const std::array<int, 4> nodes = facet_nodes(mesh, corners, facet);
+    for (const FacetPoint& point : facet_points_below(facet_corners(mesh, facet), water.level)) {
+      const double pressure = water.density * water.gravity * (water.level - point.position.z);
+      add_force(force, nodes, point.shape, -pressure * point.area);
+    }
+  }
+}
+
+void add_traction(const Mesh& mesh, std::span<const int> corners, const Surface& surface, const Traction& traction,
+                  std::span<double> force) {
+  for (const Facet& facet : surface.facets) {
+    const std::array<int, 4> nodes = facet_nodes(mesh, corners, facet);
+    for (const FacetPoint& point : facet_points(facet_corners(mesh, facet))) {
+      const Vec3<double>& p = point.position;
+      const Vec3<double> t{traction.x(p), traction.y(p), traction.z(p)};
+      add_force(force, nodes, point.shape, norm(point.area) * t);
+    }
+  }
+}
+
+void add_loads(const Model& model, std::span<const int> corners, std::span<const ActingCondition> acting,
+               std::span<double> force) {
+  for (const ActingCondition& a : acting) {
+    if (const auto* gravity = std::get_if<Gravity>(&a.condition->kind))
+      add_gravity(model, corners, gravity->acceleration, force);
+    for (const Surface* surface : a.surfaces) {
+      if (const auto* water = std::get_if<WaterPressure>(&a.condition->kind))
+        add_water_pressure(model.mesh, corners, *surface, *water, force);
+      if (const auto* traction = std::get_if<Traction>(&a.condition->kind))
+        add_traction(model.mesh, corners, *surface, *traction, force);
+    }
+  }
+}
+
+ThermalBoundary thermal_boundary(const Mesh& mesh, std::span<const int> corners, int node_count,
+                                 std::span<const ActingCondition> acting) {
+  ThermalBoundary boundary;
+  boundary.heat.assign(node_count, 0);
+  std::vector<Vec3<double>> points(node_count);
+  for (std::size_t c = 0; c < corners.size(); ++c) points[corners[c]] = mesh.points[mesh.corners[c]];
+  std::vector<std::optional<double>> fixed(node_count);
+  const HeightFilter filter(mesh);
+
+  for (const ActingCondition& a : acting)
+    for (const Surface* surface : a.surfaces) {
+      if (const auto* f = std::get_if<FixedTemperature>(&a.condition->kind)) {
+        for (const int n : surface_nodes(mesh, corners, *surface))
+          if (filter.keeps(points[n].z, f->below, f->above)) fixed[n] = f->value(points[n]);
+      } else if (const auto* c = std::get_if<Convection>(&a.condition->kind)) {
+        for (const Facet& facet : surface->facets) {
+          if (!filter.keeps(mesh.facet_centroid(facet).z, c->below, c->above)) continue;
+          boundary.films.push_back(film_facet(mesh, corners, facet, c->film));
+          add_heat(mesh, corners, facet, c->ambient, c->film, boundary.heat);
+        }
+      } else if (const auto* q = std::get_if<Flux>(&a.condition->kind)) {
+        for (const Facet& facet : surface->facets) add_heat(mesh, corners, facet, q->value, 1, boundary.heat);
+      }
+    }
+
+  for (int n = 0; n < node_count; ++n)
+    if (fixed[n]) {
+      boundary.fixed_nodes.push_back(n);
+      boundary.fixed_temperature.push_back(*fixed[n]);
+    }
+  return boundary;
+}
+
+std::vector<double> lumped_capacity(const Model& model, std::span<const int> corners, int node_count) {
+  const Mesh& mesh = model.mesh;
+  const std::vector<const Material*> materials = materials_by_region(model);
+  Complaints complaints;
+  for (const Material& material : model.materials)
+    if (!material.heat_capacity)
+      complaints.add(material.where, "material '" + material.name +
+                                         "': missing 'heat_capacity' [J/(kg K)], needed by a transient thermal stage");
+  complaints.raise();
+  std::vector<double> capacity(node_count, 0);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const std::array<double, 8> volume = element_corner_volumes(mesh, e);
+    const Material& material = *materials[mesh.regions[e]];
+    for (int k = 0; k < corner_count(mesh.shapes[e]); ++k)
+      capacity[corners[mesh.first_corner[e] + k]] += volume[k] * material.density * *material.heat_capacity;
+  }
+  return capacity;
+}
+
+}  // namespace ashlar

@@ -1,0 +1,79 @@
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "model/conditions.hpp"
+#include "model/model.hpp"
+#include "physics/facet.hpp"
+
+/// Consistent nodal loads, mechanical and thermal, in a fixed summation order (element after element, facet after
+/// facet). `corners` is parallel to Mesh::corners and numbers the nodes that receive the load: Mesh::corners itself, or
+/// Blocks::corners so that a load on a facet acts on the copies that belong to the element owning it.
+namespace ashlar {
+
+// ---------------------------------------------------------------- facets
+
+/// Nodes of a facet in the numbering of `corners`, right-hand order; a triangle repeats its last node
+/// (physics/facet.hpp).
+std::array<int, 4> facet_nodes(const Mesh& mesh, std::span<const int> corners, const Facet& facet);
+/// Corner positions in the same order.
+FacetCorners facet_corners(const Mesh& mesh, const Facet& facet);
+/// Nodes of all facets of a surface in the numbering of `corners`, sorted, each once.
+std::vector<int> surface_nodes(const Mesh& mesh, std::span<const int> corners, const Surface& surface);
+/// Adds the integral of N_i dA, m^2, to area [nodes].
+void add_nodal_areas(const Mesh& mesh, std::span<const int> corners, const Surface& surface, std::span<double> area);
+
+/// Area and its first moment about the origin.
+struct SurfaceArea {
+  double area = 0;      ///< m^2
+  Vec3<double> moment;  ///< integral of x dA, m^3; over area: the centroid
+};
+SurfaceArea surface_area(const Mesh& mesh, const Surface& surface);
+
+/// Sum of nodal forces and of their moments about the origin.
+struct Resultant {
+  Vec3<double> force;   ///< N
+  Vec3<double> moment;  ///< N m
+};
+/// `points` [nodes] m, `force` [3 * nodes] N, over the given nodes in their order.
+Resultant resultant(std::span<const Vec3<double>> points, std::span<const double> force, std::span<const int> nodes);
+
+// ---------------------------------------------------------------- forces, N, added to force [3 * nodes]
+
+/// Integral of N_i density g dV; g in m/s^2.
+void add_gravity(const Model& model, std::span<const int> corners, const Vec3<double>& g, std::span<double> force);
+/// Pressure density gravity (level - z) on the part of each facet below the level, against its outward normal.
+void add_water_pressure(const Mesh& mesh, std::span<const int> corners, const Surface& surface,
+                        const WaterPressure& water, std::span<double> force);
+/// Integral of N_i t dA; the traction, Pa, is asked at the 2x2 Gauss points of each facet.
+void add_traction(const Mesh& mesh, std::span<const int> corners, const Surface& surface, const Traction& traction,
+                  std::span<double> force);
+/// All gravity, water_pressure and traction among the acting conditions.
+void add_loads(const Model& model, std::span<const int> corners, std::span<const ActingCondition> acting,
+               std::span<double> force);
+
+// ---------------------------------------------------------------- heat
+
+/// Exchange with the surroundings through one facet: heat leaving node i is sum_j matrix[i][j] (T_j - ambient), W.
+struct FilmFacet {
+  std::array<int, 4> nodes;                     ///< a triangle repeats its last node
+  std::array<std::array<double, 4>, 4> matrix;  ///< integral of N_i N_j film dA, W/K
+};
+
+/// Thermal boundary of a stage. Nodes that no condition names are insulated.
+struct ThermalBoundary {
+  std::vector<int> fixed_nodes;           ///< sorted
+  std::vector<double> fixed_temperature;  ///< degC, parallel to fixed_nodes
+  std::vector<FilmFacet> films;
+  std::vector<double> heat;  ///< [nodes] W into the body: flux and film times ambient
+};
+/// Later fixed temperatures override earlier ones on shared nodes; `below` and `above` choose nodes by their z for
+/// fixed temperatures and facets by the z of their centroid for convection.
+ThermalBoundary thermal_boundary(const Mesh& mesh, std::span<const int> corners, int node_count,
+                                 std::span<const ActingCondition> acting);
+
+/// Integral of N_i rho c dV, J/K, [nodes]. Throws DeckError naming materials without heat_capacity.
+std::vector<double> lumped_capacity(const Model& model, std::span<const int> corners, int node_count);
+
+}  // namespace ashlar
