@@ -36,8 +36,12 @@ struct Elastic {
     ASHLAR_HD Sym3<V> stress(const Sym3<V>& e) const {
       const V pressure = V(lambda) * (e.xx + e.yy + e.zz);
       const V twice = V(shear + shear), mu = V(shear);
-      return {fma(twice, e.xx, pressure), fma(twice, e.yy, pressure), fma(twice, e.zz, pressure),
-              mu * e.xy,                  mu * e.yz,                  mu * e.zx};
+      return {fma(twice, e.xx, pressure),
+              fma(twice, e.yy, pressure),
+              fma(twice, e.zz, pressure),
+              mu * e.xy,
+              mu * e.yz,
+              mu * e.zx};
     }
   };
   template <class Real>

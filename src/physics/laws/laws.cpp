@@ -1,5 +1,8 @@
 #include "physics/laws/laws.hpp"
 
+#include <optional>
+#include <stdexcept>
+
 namespace ashlar {
 
 template <class... Law>
@@ -8,5 +11,17 @@ static std::vector<LawDoc> docs(std::tuple<Law...>*) {
 }
 
 std::vector<LawDoc> material_law_docs() { return docs(static_cast<BlockLaws*>(nullptr)); }
+
+template <class... Law>
+static BlockLaw make(const std::string& name, const std::map<std::string, double>& values, std::tuple<Law...>*) {
+  std::optional<BlockLaw> law;
+  ((name == Law::name ? void(law = make_law<Law>(values)) : void()), ...);
+  if (!law) throw std::invalid_argument("no block law is called '" + name + "'");
+  return *law;
+}
+
+BlockLaw make_block_law(const std::string& name, const std::map<std::string, double>& values) {
+  return make(name, values, static_cast<BlockLaws*>(nullptr));
+}
 
 }  // namespace ashlar

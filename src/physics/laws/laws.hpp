@@ -2,6 +2,7 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <variant>
 #include <vector>
 
 #include "physics/laws/elastic.hpp"
@@ -10,6 +11,15 @@
 namespace ashlar {
 
 using BlockLaws = std::tuple<Elastic>;
+
+template <class>
+struct VariantOf;
+template <class... Law>
+struct VariantOf<std::tuple<Law...>> {
+  using type = std::variant<Law...>;
+};
+/// The law of one material.
+using BlockLaw = VariantOf<BlockLaws>::type;
 
 std::vector<LawDoc> material_law_docs();
 
@@ -20,10 +30,15 @@ Law make_law(const std::map<std::string, double>& values) {
   Law law;
   for (const auto& key : Law::keys) {
     const auto found = values.find(key.name);
-    if (found != values.end()) law.*key.member = found->second;
-    else if (key.fallback) law.*key.member = *key.fallback;
+    if (found != values.end())
+      law.*key.member = found->second;
+    else if (key.fallback)
+      law.*key.member = *key.fallback;
   }
   return law;
 }
+
+/// The law called `name`. Throws std::invalid_argument for a name that is not registered.
+BlockLaw make_block_law(const std::string& name, const std::map<std::string, double>& values);
 
 }  // namespace ashlar

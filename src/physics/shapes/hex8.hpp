@@ -1,10 +1,11 @@
 #pragma once
 #include "physics/shapes/jacobian.hpp"
 
-/// Trilinear hexahedron, 2x2x2 Gauss, sum-factorised: a derivative along one parametric direction depends on the other two
-/// only, so the four edge differences of each direction give all eight Gauss points (design in ARCHITECTURE.md, "Elements").
-/// Corners come in VTK order and are used in bit order (xi + 2 eta + 4 zeta); Gauss point g lies at bits (xi, eta, zeta) of g.
-/// Tables are scaled: dx/dxi = scale * table; the scale cancels in strains and enters forces as scale^3.
+/// Trilinear hexahedron, 2x2x2 Gauss, sum-factorised: a derivative along one parametric direction depends on the other
+/// two only, so the four edge differences of each direction give all eight Gauss points (design in ARCHITECTURE.md,
+/// "Elements"). Corners come in VTK order and are used in bit order (xi + 2 eta + 4 zeta); Gauss point g lies at bits
+/// (xi, eta, zeta) of g. Tables are scaled: dx/dxi = scale * table; the scale cancels in strains and enters forces as
+/// scale^3.
 namespace ashlar {
 
 template <class V>
@@ -12,7 +13,7 @@ struct Hex8 {
   using S = Scalar<V>;
   static constexpr int corners = 8;
   static constexpr int gauss_points = 8;
-  static constexpr double near_far = 0.26794919243112270647;   // (1 - g) / (1 + g), g = 1/sqrt(3): 2 - sqrt(3)
+  static constexpr double near_far = 0.26794919243112270647;     // (1 - g) / (1 + g), g = 1/sqrt(3): 2 - sqrt(3)
   static constexpr double near_weight = 0.78867513459481288225;  // (1 + g) / 2
   static constexpr double scale = 0.5 * near_weight * near_weight;
   static constexpr double force_scale = scale * scale * scale;
@@ -61,9 +62,9 @@ struct Hex8 {
     f[7] = (e[3] + h[3] + k[3]) * s;
   }
 
-  ASHLAR_HD static int xi_line(int gauss) { return gauss >> 1; }                           // eta + 2 zeta
-  ASHLAR_HD static int eta_line(int gauss) { return (gauss & 1) | ((gauss >> 1) & 2); }    // xi + 2 zeta
-  ASHLAR_HD static int zeta_line(int gauss) { return gauss & 3; }                          // xi + 2 eta
+  ASHLAR_HD static int xi_line(int gauss) { return gauss >> 1; }                         // eta + 2 zeta
+  ASHLAR_HD static int eta_line(int gauss) { return (gauss & 1) | ((gauss >> 1) & 2); }  // xi + 2 zeta
+  ASHLAR_HD static int zeta_line(int gauss) { return gauss & 3; }                        // xi + 2 eta
 
   ASHLAR_HD static void to_bit_order(const V (&v)[8], V (&w)[8]) {
     for (int k = 0; k < 8; ++k) w[bit_order(k)] = v[k];
@@ -81,7 +82,7 @@ struct Hex8 {
       tu[i] = derivatives(w);
       for (int j = 0; j < 4; ++j) tp[i].xi[j] = tp[i].eta[j] = tp[i].zeta[j] = V(S(0));
     }
-#pragma GCC unroll 8
+    ASHLAR_UNROLL
     for (int g = 0; g < 8; ++g) {
       const int p = xi_line(g), q = eta_line(g), r = zeta_line(g);
       Vec3<V> pa{tp[0].xi[p], tp[1].xi[p], tp[2].xi[p]};
@@ -89,8 +90,8 @@ struct Hex8 {
       Vec3<V> pc{tp[0].zeta[r], tp[1].zeta[r], tp[2].zeta[r]};
       gauss_point_force<V>(g, {tx[0].xi[p], tx[1].xi[p], tx[2].xi[p]}, {tx[0].eta[q], tx[1].eta[q], tx[2].eta[q]},
                            {tx[0].zeta[r], tx[1].zeta[r], tx[2].zeta[r]}, {tu[0].xi[p], tu[1].xi[p], tu[2].xi[p]},
-                           {tu[0].eta[q], tu[1].eta[q], tu[2].eta[q]}, {tu[0].zeta[r], tu[1].zeta[r], tu[2].zeta[r]}, stress,
-                           pa, pb, pc);
+                           {tu[0].eta[q], tu[1].eta[q], tu[2].eta[q]}, {tu[0].zeta[r], tu[1].zeta[r], tu[2].zeta[r]},
+                           stress, pa, pb, pc);
       for (int i = 0; i < 3; ++i) {
         tp[i].xi[p] = pa[i];
         tp[i].eta[q] = pb[i];

@@ -2,7 +2,8 @@
 #include "base/tensor.hpp"
 
 /// What every isoparametric element shares at one Gauss point, written once for float, double and vector packs.
-/// a, b, c are the tangents dx/dxi, dx/deta, dx/dzeta; gradients follow from the cofactors b x c, c x a, a x b over det.
+/// a, b, c are the tangents dx/dxi, dx/deta, dx/dzeta; gradients follow from the cofactors b x c, c x a, a x b over
+/// det.
 namespace ashlar {
 
 template <class V>

@@ -35,8 +35,8 @@ struct Tet4 {
     const V zero = V(S(0));
     Vec3<V> pa{zero, zero, zero}, pb{zero, zero, zero}, pc{zero, zero, zero};
     gauss_point_force<V>(0, {tx[0].r, tx[1].r, tx[2].r}, {tx[0].s, tx[1].s, tx[2].s}, {tx[0].t, tx[1].t, tx[2].t},
-                         {tu[0].r, tu[1].r, tu[2].r}, {tu[0].s, tu[1].s, tu[2].s}, {tu[0].t, tu[1].t, tu[2].t}, stress, pa, pb,
-                         pc);
+                         {tu[0].r, tu[1].r, tu[2].r}, {tu[0].s, tu[1].s, tu[2].s}, {tu[0].t, tu[1].t, tu[2].t}, stress,
+                         pa, pb, pc);
     for (int i = 0; i < 3; ++i) gather({pa[i], pb[i], pc[i]}, V(S(weight)), f[i]);
   }
 

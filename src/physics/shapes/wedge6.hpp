@@ -2,8 +2,8 @@
 #include "physics/shapes/jacobian.hpp"
 
 /// Linear wedge, 3 x 2 Gauss: triangle points (1/6,1/6), (2/3,1/6), (1/6,2/3), weight 1/6 each, at zeta = -+1/sqrt(3).
-/// The in-plane tangents depend on zeta only and the axial one on the triangle point only, so two and three vectors give
-/// all six points. Gauss point g = triangle point + 3 * (upper level).
+/// The in-plane tangents depend on zeta only and the axial one on the triangle point only, so two and three vectors
+/// give all six points. Gauss point g = triangle point + 3 * (upper level).
 namespace ashlar {
 
 template <class V>
@@ -65,7 +65,7 @@ struct Wedge6 {
       tp[i].r[0] = tp[i].r[1] = tp[i].s[0] = tp[i].s[1] = V(S(0));
       tp[i].zeta[0] = tp[i].zeta[1] = tp[i].zeta[2] = V(S(0));
     }
-#pragma GCC unroll 6
+    ASHLAR_UNROLL
     for (int g = 0; g < 6; ++g) {
       const int l = g / 3, p = g % 3;
       Vec3<V> pa{tp[0].r[l], tp[1].r[l], tp[2].r[l]};
@@ -73,8 +73,8 @@ struct Wedge6 {
       Vec3<V> pc{tp[0].zeta[p], tp[1].zeta[p], tp[2].zeta[p]};
       gauss_point_force<V>(g, {tx[0].r[l], tx[1].r[l], tx[2].r[l]}, {tx[0].s[l], tx[1].s[l], tx[2].s[l]},
                            {tx[0].zeta[p], tx[1].zeta[p], tx[2].zeta[p]}, {tu[0].r[l], tu[1].r[l], tu[2].r[l]},
-                           {tu[0].s[l], tu[1].s[l], tu[2].s[l]}, {tu[0].zeta[p], tu[1].zeta[p], tu[2].zeta[p]}, stress, pa, pb,
-                           pc);
+                           {tu[0].s[l], tu[1].s[l], tu[2].s[l]}, {tu[0].zeta[p], tu[1].zeta[p], tu[2].zeta[p]}, stress,
+                           pa, pb, pc);
       for (int i = 0; i < 3; ++i) {
         tp[i].r[l] = pa[i];
         tp[i].s[l] = pb[i];

@@ -1,0 +1,89 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/blocks.hpp"
+#include "model/discretisation.hpp"
+#include "physics/laws/laws.hpp"
+
+/// What a solver sees of a machine: named phases to run, scalars to decide by, whole fields only for set-up and output.
+namespace ashlar {
+
+/// One named piece of a step: the unit of order, timing and test.
+enum class Phase : std::uint8_t {
+  block_force,      ///< element corner forces
+  gather_force,     ///< corner forces to nodes
+  spring_force,     ///< contact springs, added to nodes
+  move_nodes,       ///< velocity, then displacement
+  keep_force,       ///< remember the force for the next stiffness estimate
+  relaxation_sums,  ///< partial sums behind Backend::relaxation_sums
+  stiffness_bound,  ///< Gershgorin bound of the stiffness at every node, into Field::stiffness
+  block_stress,     ///< Gauss-point stress for output
+  count
+};
+const char* phase_name(Phase phase);
+
+/// Arrays that cross between solver and machine. Always double outside; vectors are packed x y z.
+enum class Field : std::uint8_t {
+  displacement,  ///< [3 * block nodes] m
+  velocity,      ///< [3 * block nodes]
+  load,          ///< [3 * block nodes] N
+  force,         ///< [3 * block nodes] N, internal and contact
+  inverse_mass,  ///< [block nodes]
+  fixed,         ///< [block nodes] bits 0 1 2: x y z held
+  stiffness,     ///< [block nodes] N/m, row-sum bound, largest of the three directions
+  warming,       ///< [Gauss points] K above the reference temperature
+  stress,        ///< [6 * Gauss points] Pa
+};
+
+/// Numbers that a step needs from the solver.
+struct Controls {
+  double local_damping = 0;    ///< Cundall's alpha
+  double viscous_damping = 0;  ///< c of one unit step, < 2
+};
+
+struct RelaxationMeasure {
+  double unbalanced = 0;  ///< |load - force| over free components, N
+  double load = 0;        ///< |load|, N
+  double reaction = 0;    ///< |load - force| over held components, N
+  double kinetic = 0;     ///< J
+  double load_work = 0;   ///< u . load, J
+  double force_work = 0;  ///< u . force, J
+  double curvature = 0;   ///< v . (force - kept force)
+  double motion = 0;      ///< v . m v
+};
+
+/// What a backend is built from. The model's laws by material; everything is copied to the machine.
+struct Setup {
+  const Discretisation& discretisation;
+  std::vector<BlockLaw> laws;  ///< [materials]
+};
+
+class Backend {
+ public:
+  virtual ~Backend() = default;
+  virtual std::string name() const = 0;
+  virtual void run(Phase phase, const Controls& controls = {}) = 0;
+  virtual RelaxationMeasure relaxation_sums() = 0;
+  virtual std::size_t size(Field field) const = 0;
+  virtual void write(Field field, std::span<const double> values) = 0;
+  virtual void read(Field field, std::span<double> values) = 0;
+  /// Whether stress takes account of Field::warming. Off until a stage has a temperature.
+  virtual void use_warming(bool on) = 0;
+
+  std::vector<double> read(Field field) {
+    std::vector<double> values(size(field));
+    read(field, values);
+    return values;
+  }
+};
+
+enum class Precision { double_precision, single_precision };
+
+/// @param threads number of threads; 0: all cores
+std::unique_ptr<Backend> make_cpu_backend(const Setup& setup, Precision precision, int threads);
+
+}  // namespace ashlar

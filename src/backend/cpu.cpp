@@ -1,0 +1,117 @@
+#include <omp.h>
+
+#include <algorithm>
+
+#include "backend/pack.hpp"
+#include "backend/phases.hpp"
+
+namespace ashlar {
+
+namespace {
+
+/// Memory and loops of the CPU.
+class CpuExec {
+ public:
+  template <class T>
+  class Array {
+   public:
+    void resize(std::size_t n) { values_.assign(n, T(0)); }
+    void assign(const std::vector<T>& values) { values_ = values; }
+    void upload(const std::vector<T>& values) { std::copy(values.begin(), values.end(), values_.begin()); }
+    void download(std::vector<T>& values) const { values = values_; }
+    std::size_t size() const { return values_.size(); }
+    T* data() { return values_.data(); }
+
+   private:
+    std::vector<T> values_;
+  };
+
+  explicit CpuExec(int threads) : threads_(threads > 0 ? threads : omp_get_num_procs()) {}
+  std::string name() const { return "cpu, " + std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads"); }
+
+  template <class Kernel>
+  void for_each(int n, const Kernel& kernel) const {
+#pragma omp parallel for schedule(static) num_threads(threads_) if (n >= 1024)
+    for (int i = 0; i < n; ++i) kernel(i);
+  }
+
+  /// Patch by patch: coordinates and displacements staged in cache, elements in vector packs, sums element by element.
+  template <template <class> class Element, bool Warm, class Point, class Real>
+  void block_forces(const BodyView<Real>& body, const BatchView& batch, const Point& law, const Discretisation& d,
+                    int b) const {
+    const Batch& source = d.batches[b];
+#pragma omp parallel for schedule(static) num_threads(threads_) if (source.patch_count > 1)
+    for (int p = source.first_patch; p < source.first_patch + source.patch_count; ++p)
+      patch_force<Element, Warm>(body, batch, law, p, d.patch_first_element[p] - source.first_element,
+                                 d.patch_first_element[p + 1] - source.first_element);
+  }
+
+ private:
+  template <template <class> class Element, bool Warm, class Point, class Real>
+  static void patch_force(const BodyView<Real>& body, const BatchView& batch, const Point& law, int patch, int first,
+                          int last) {
+    constexpr int width = pack_width<Real>;
+    using V = Pack<Real, width>;
+    constexpr int corners = Element<V>::corners;
+    const NodeSetView& nodes = body.nodes;
+    const int first_entry = nodes.patch_first_entry[patch];
+    const int entries = nodes.patch_first_entry[patch + 1] - first_entry;
+
+    static thread_local std::vector<Real> scratch;
+    scratch.resize(12 * std::size_t(entries));
+    Real* const place = scratch.data();              // 8 a node: x y z ux uy uz - -
+    Real* const sum = scratch.data() + 8 * entries;  // 4 a node: fx fy fz -
+    for (int l = 0; l < entries; ++l) {
+      const int n = 3 * nodes.entry_node[first_entry + l];
+      for (int c = 0; c < 3; ++c) {
+        place[8 * l + c] = body.x[n + c];
+        place[8 * l + 4 + c] = body.u[n + c];
+        sum[4 * l + c] = Real(0);
+      }
+    }
+
+    for (int i = first; i < last; i += width) {
+      const int used = std::min(width, last - i);
+      V x[3][corners], u[3][corners], f[3][corners];
+      for (int k = 0; k < corners; ++k)
+        for (int lane = 0; lane < width; ++lane) {
+          const int element = i + std::min(lane, used - 1);
+          const Real* at = place + 8 * nodes.corner_entry[batch.slot(element, corners, k)];
+          for (int c = 0; c < 3; ++c) {
+            x[c][k].lanes[lane] = at[c];
+            u[c][k].lanes[lane] = at[4 + c];
+          }
+        }
+      const auto warming = [&](int g) {
+        V w;
+        for (int lane = 0; lane < width; ++lane)
+          w.lanes[lane] = body.warming[batch.gauss(i + std::min(lane, used - 1), g)];
+        return w;
+      };
+      element_force<Element, Warm>(law, x, u, warming, f);
+      for (int lane = 0; lane < used; ++lane)
+        for (int k = 0; k < corners; ++k) {
+          Real* at = sum + 4 * nodes.corner_entry[batch.slot(i + lane, corners, k)];
+          for (int c = 0; c < 3; ++c) at[c] += f[c][k].lanes[lane];
+        }
+    }
+
+    for (int l = 0; l < entries; ++l) {
+      const int node = nodes.entry_node[first_entry + l];
+      Real* out = l < nodes.patch_interior[patch] ? body.force + 3 * node : body.partial + 3 * (first_entry + l);
+      for (int c = 0; c < 3; ++c) out[c] = sum[4 * l + c];
+    }
+  }
+
+  int threads_;
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_cpu_backend(const Setup& setup, Precision precision, int threads) {
+  if (precision == Precision::single_precision)
+    return std::make_unique<Phases<CpuExec, float>>(setup, CpuExec(threads));
+  return std::make_unique<Phases<CpuExec, double>>(setup, CpuExec(threads));
+}
+
+}  // namespace ashlar

@@ -1,0 +1,48 @@
+#pragma once
+#include "base/number.hpp"
+
+/// A vector pack: the same element in several lanes on the CPU, one lane an element. Lanes round exactly as scalars do,
+/// so packed and scalar runs give the same bits.
+namespace ashlar {
+
+template <class T, int width>
+struct VectorOf {
+  typedef T type __attribute__((vector_size(width * sizeof(T))));
+};
+
+template <class T, int width>
+struct Pack {
+  using Lanes = typename VectorOf<T, width>::type;
+  Lanes lanes;
+
+  Pack() = default;
+  explicit Pack(T value) : lanes(value - Lanes{}) {}
+  explicit Pack(const Lanes& l) : lanes(l) {}
+
+  friend ASHLAR_HD Pack operator+(Pack a, Pack b) { return Pack(a.lanes + b.lanes); }
+  friend ASHLAR_HD Pack operator-(Pack a, Pack b) { return Pack(a.lanes - b.lanes); }
+  friend ASHLAR_HD Pack operator*(Pack a, Pack b) { return Pack(a.lanes * b.lanes); }
+  friend ASHLAR_HD Pack operator/(Pack a, Pack b) { return Pack(a.lanes / b.lanes); }
+  friend ASHLAR_HD Pack operator-(Pack a) { return Pack(-a.lanes); }
+  friend ASHLAR_HD Pack fma(Pack a, Pack b, Pack c) {
+    Pack r;
+    for (int i = 0; i < width; ++i) r.lanes[i] = fma(a.lanes[i], b.lanes[i], c.lanes[i]);
+    return r;
+  }
+};
+
+template <class T, int width>
+struct ScalarOf<Pack<T, width>> {
+  using type = T;
+};
+
+/// Widest pack of the instruction set that the build targets.
+#if defined(__AVX512F__)
+inline constexpr int pack_bytes = 64;
+#else
+inline constexpr int pack_bytes = 32;
+#endif
+template <class T>
+inline constexpr int pack_width = pack_bytes / sizeof(T);
+
+}  // namespace ashlar

@@ -1,0 +1,273 @@
+#pragma once
+#include <cmath>
+#include <stdexcept>
+
+#include "backend/backend.hpp"
+#include "kernels/block_force.hpp"
+#include "kernels/gather.hpp"
+#include "kernels/move_nodes.hpp"
+#include "kernels/relaxation_sums.hpp"
+#include "physics/shapes/hex8.hpp"
+#include "physics/shapes/tet4.hpp"
+#include "physics/shapes/wedge6.hpp"
+
+/// Every phase once, for any machine. Exec brings memory and a parallel for:
+///   template <class T> using Array: resize(n), upload(span), download(span), data()
+///   void for_each(int n, kernel): kernel(i) for every i < n, in any order
+///   block_forces(...): the machine's fastest driver of the element routine (see cpu.cpp), same bits as BlockForce +
+///   GatherPatch
+namespace ashlar {
+
+/// Node set arrays in a machine's memory.
+template <class Exec>
+class NodeSet {
+ public:
+  explicit NodeSet(const Topology& t) {
+    corner_node_.assign(t.corner_node);
+    corner_entry_.assign(t.corner_entry);
+    patch_first_entry_.assign(t.patch_first_entry);
+    patch_interior_.assign(t.patch_interior);
+    entry_node_.assign(t.entry_node);
+    entry_first_slot_.assign(t.entry_first_slot);
+    entry_slot_.assign(t.entry_slot);
+    boundary_first_.assign(t.boundary_first);
+    boundary_entry_.assign(t.boundary_entry);
+    view_.node_count = t.node_count;
+    view_.interior_count = t.interior_count;
+    view_.entry_count = t.entry_count();
+    view_.corner_node = corner_node_.data();
+    view_.corner_entry = corner_entry_.data();
+    view_.patch_first_entry = patch_first_entry_.data();
+    view_.patch_interior = patch_interior_.data();
+    view_.entry_node = entry_node_.data();
+    view_.entry_first_slot = entry_first_slot_.data();
+    view_.entry_slot = entry_slot_.data();
+    view_.boundary_first = boundary_first_.data();
+    view_.boundary_entry = boundary_entry_.data();
+  }
+  const NodeSetView& view() const { return view_; }
+
+ private:
+  template <class T>
+  using Array = typename Exec::template Array<T>;
+  Array<int> corner_node_, patch_first_entry_, patch_interior_, entry_node_, entry_first_slot_, entry_slot_,
+      boundary_first_, boundary_entry_;
+  Array<std::uint16_t> corner_entry_;
+  NodeSetView view_;
+};
+
+template <class Exec, class Real>
+class Phases final : public Backend {
+ public:
+  Phases(const Setup& setup, Exec exec)
+      : exec_(std::move(exec)),
+        discretisation_(setup.discretisation),
+        laws_(setup.laws),
+        blocks_(setup.discretisation.blocks) {
+    const Discretisation& d = setup.discretisation;
+    const std::size_t nodes = d.blocks.node_count;
+    std::vector<Real> x(3 * nodes);
+    for (std::size_t n = 0; n < nodes; ++n)
+      for (int c = 0; c < 3; ++c) x[3 * n + c] = Real(d.block_points[n][c]);
+    x_.assign(x);
+    for (auto* a : {&u_, &v_, &load_, &force_, &kept_force_}) a->resize(3 * nodes);
+    inverse_mass_.resize(nodes);
+    stiffness_.resize(nodes);
+    fixed_.resize(nodes);
+    corner_force_.resize(3 * std::size_t(d.slot_count));
+    partial_.resize(3 * std::size_t(d.blocks.entry_count()));
+    warming_.resize(d.gauss_count);
+    stress_.resize(6 * std::size_t(d.gauss_count));
+    chunk_sums_.resize(relaxation_sum_count * chunks());
+    body_ = {.nodes = blocks_.view(),
+             .x = x_.data(),
+             .u = u_.data(),
+             .v = v_.data(),
+             .load = load_.data(),
+             .force = force_.data(),
+             .kept_force = kept_force_.data(),
+             .inverse_mass = inverse_mass_.data(),
+             .fixed = fixed_.data(),
+             .corner_force = corner_force_.data(),
+             .partial = partial_.data(),
+             .warming = warming_.data(),
+             .stress = stress_.data()};
+  }
+
+  std::string name() const override { return exec_.name(); }
+  void use_warming(bool on) override { warm_ = on; }
+
+  void run(Phase phase, const Controls& controls) override {
+    switch (phase) {
+      case Phase::block_force:
+        return each_batch([&](auto element, auto law, int b) { block_force(element, law, b); });
+      case Phase::gather_force:
+        return gather_boundary(body_.force);
+      case Phase::move_nodes:
+        return exec_.for_each(node_count(), MoveNodes<Real>{body_, step_damping(controls)});
+      case Phase::keep_force:
+        return exec_.for_each(node_count(), KeepForce<Real>{body_});
+      case Phase::relaxation_sums:
+        return exec_.for_each(chunks(), RelaxationSums<Real>{body_, chunk_sums_.data()});
+      case Phase::stiffness_bound:
+        return stiffness_bound();
+      case Phase::block_stress:
+        return each_batch([&](auto element, auto law, int b) { block_stress(element, law, b); });
+      case Phase::spring_force:
+        return;
+      case Phase::count:
+        break;
+    }
+    throw std::logic_error("not a phase");
+  }
+
+  RelaxationMeasure relaxation_sums() override {
+    run(Phase::relaxation_sums, {});
+    std::vector<double> parts(chunk_sums_.size());
+    chunk_sums_.download(parts);
+    double s[relaxation_sum_count] = {};
+    for (std::size_t i = 0; i < parts.size(); ++i) s[i % relaxation_sum_count] += parts[i];
+    return {std::sqrt(s[sum_unbalanced]),
+            std::sqrt(s[sum_load]),
+            std::sqrt(s[sum_reaction]),
+            s[sum_kinetic],
+            s[sum_load_work],
+            s[sum_force_work],
+            s[sum_curvature],
+            s[sum_motion]};
+  }
+
+  std::size_t size(Field field) const override {
+    return visit_field(*this, field, [](const auto& array) { return array.size(); });
+  }
+  void write(Field field, std::span<const double> values) override {
+    visit_field(*this, field, [&](auto& array) { copy_in(array, values); });
+  }
+  void read(Field field, std::span<double> values) override {
+    visit_field(*this, field, [&](auto& array) { copy_out(array, values); });
+  }
+
+ private:
+  template <class T>
+  using Array = typename Exec::template Array<T>;
+  /// An element type as a value, for generic lambdas.
+  template <template <class> class E>
+  struct ElementTag {
+    template <class V>
+    using Element = E<V>;
+  };
+
+  int node_count() const { return body_.nodes.node_count; }
+  int chunks() const { return (discretisation_.blocks.node_count + chunk_nodes - 1) / chunk_nodes; }
+
+  static StepDamping<Real> step_damping(const Controls& c) {
+    return {Real(c.local_damping), Real((2 - c.viscous_damping) / (2 + c.viscous_damping)),
+            Real(2 / (2 + c.viscous_damping))};
+  }
+
+  /// Calls work(element tag, prepared law, batch index) for every batch: the one place where shape and law become
+  /// types.
+  template <class Work>
+  void each_batch(Work work) {
+    for (int b = 0; b < static_cast<int>(discretisation_.batches.size()); ++b) {
+      const Batch& batch = discretisation_.batches[b];
+      std::visit(
+          [&](const auto& law) {
+            const auto point = law.template prepare<Real>();
+            switch (batch.shape) {
+              case Shape::hex8:
+                return work(ElementTag<Hex8>{}, point, b);
+              case Shape::wedge6:
+                return work(ElementTag<Wedge6>{}, point, b);
+              case Shape::tet4:
+                return work(ElementTag<Tet4>{}, point, b);
+            }
+          },
+          laws_[batch.material]);
+    }
+  }
+  BatchView batch_view(int b) const {
+    const Batch& batch = discretisation_.batches[b];
+    return {batch.element_count, batch.first_slot, batch.first_gauss};
+  }
+
+  template <template <class> class E, class Point>
+  void block_force(ElementTag<E>, const Point& law, int b) {
+    if (warm_)
+      exec_.template block_forces<E, true>(body_, batch_view(b), law, discretisation_, b);
+    else
+      exec_.template block_forces<E, false>(body_, batch_view(b), law, discretisation_, b);
+  }
+  template <template <class> class E, class Point>
+  void block_stress(ElementTag<E>, const Point& law, int b) {
+    const BatchView batch = batch_view(b);
+    if (warm_)
+      exec_.for_each(batch.element_count, BlockStress<E, Point, Real, true>{body_, batch, law});
+    else
+      exec_.for_each(batch.element_count, BlockStress<E, Point, Real, false>{body_, batch, law});
+  }
+  void gather_boundary(Real* sum) {
+    exec_.for_each(discretisation_.blocks.boundary_count(), GatherBoundary<Real, 3>{body_.nodes, body_.partial, sum});
+  }
+  void stiffness_bound() {
+    each_batch([&](auto element, const auto& law, int b) { bound_batch(element, law, b); });
+    exec_.for_each(body_.nodes.entry_count,
+                   GatherPatch<Real, 3>{body_.nodes, body_.corner_force, body_.partial, body_.force});
+    gather_boundary(body_.force);
+    exec_.for_each(node_count(), LargestComponent<Real>{body_.force, stiffness_.data()});
+  }
+  template <template <class> class E, class Point>
+  void bound_batch(ElementTag<E>, const Point& law, int b) {
+    const BatchView batch = batch_view(b);
+    exec_.for_each(batch.element_count, StiffnessBound<E, Point, Real>{body_, batch, law});
+  }
+
+  template <class Self, class Visit>
+  static decltype(auto) visit_field(Self& self, Field field, Visit visit) {
+    switch (field) {
+      case Field::displacement:
+        return visit(self.u_);
+      case Field::velocity:
+        return visit(self.v_);
+      case Field::load:
+        return visit(self.load_);
+      case Field::force:
+        return visit(self.force_);
+      case Field::inverse_mass:
+        return visit(self.inverse_mass_);
+      case Field::stiffness:
+        return visit(self.stiffness_);
+      case Field::warming:
+        return visit(self.warming_);
+      case Field::stress:
+        return visit(self.stress_);
+      case Field::fixed:
+        return visit(self.fixed_);
+    }
+    throw std::logic_error("not a field");
+  }
+  template <class T>
+  static void copy_in(Array<T>& array, std::span<const double> values) {
+    if (values.size() != array.size()) throw std::logic_error("field of the wrong size");
+    array.upload(std::vector<T>(values.begin(), values.end()));
+  }
+  template <class T>
+  static void copy_out(Array<T>& array, std::span<double> values) {
+    std::vector<T> copy(array.size());
+    array.download(copy);
+    std::copy(copy.begin(), copy.end(), values.begin());
+  }
+
+  Exec exec_;
+  const Discretisation& discretisation_;
+  std::vector<BlockLaw> laws_;
+  NodeSet<Exec> blocks_;
+  Array<Real> x_, u_, v_, load_, force_, kept_force_, inverse_mass_, stiffness_, corner_force_, partial_, warming_,
+      stress_;
+  Array<std::uint8_t> fixed_;
+  Array<double> chunk_sums_;
+  BodyView<Real> body_;
+  bool warm_ = false;
+};
+
+}  // namespace ashlar

@@ -1,0 +1,55 @@
+#pragma once
+#include "model/view.hpp"
+
+/// Phase gather_force: corner values to nodal sums in the model's own order, without atomics: first the corners of a
+/// node inside one patch, element by element, then the patches of a node that several share (numerics 8).
+namespace ashlar {
+
+/// One entry of a patch -> the node itself if it is interior to the patch, else the patch's partial sum.
+template <class Real, int width>
+struct GatherPatch {
+  NodeSetView nodes;
+  const Real* corner;  ///< [width * slots]
+  Real* partial;       ///< [width * entries]
+  Real* sum;           ///< [width * nodes]
+
+  ASHLAR_HD void operator()(int entry) const {
+    Real s[width];
+    for (int c = 0; c < width; ++c) s[c] = Real(0);
+    for (int j = nodes.entry_first_slot[entry]; j < nodes.entry_first_slot[entry + 1]; ++j)
+      for (int c = 0; c < width; ++c) s[c] += corner[width * nodes.entry_slot[j] + c];
+    const int node = nodes.entry_node[entry];
+    Real* out = node < nodes.interior_count ? sum + width * node : partial + width * entry;
+    for (int c = 0; c < width; ++c) out[c] = s[c];
+  }
+};
+
+/// One boundary node -> the sum of its patches' partial sums.
+template <class Real, int width>
+struct GatherBoundary {
+  NodeSetView nodes;
+  const Real* partial;
+  Real* sum;
+
+  ASHLAR_HD void operator()(int b) const {
+    Real s[width];
+    for (int c = 0; c < width; ++c) s[c] = Real(0);
+    for (int j = nodes.boundary_first[b]; j < nodes.boundary_first[b + 1]; ++j)
+      for (int c = 0; c < width; ++c) s[c] += partial[width * nodes.boundary_entry[j] + c];
+    for (int c = 0; c < width; ++c) sum[width * (nodes.interior_count + b) + c] = s[c];
+  }
+};
+
+/// One node -> the largest of its three components.
+template <class Real>
+struct LargestComponent {
+  const Real* vector;  ///< [3 * nodes]
+  Real* largest;       ///< [nodes]
+  ASHLAR_HD void operator()(int node) const {
+    const Real* v = vector + 3 * node;
+    const Real m = v[0] < v[1] ? v[1] : v[0];
+    largest[node] = m < v[2] ? v[2] : m;
+  }
+};
+
+}  // namespace ashlar

@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+
+#include "base/hd.hpp"
+
+/// All that kernels see: trivially copyable pointers and counts. Owned by a backend.
+namespace ashlar {
+
+/// Nodes, patches and sums of one node set (see Topology).
+struct NodeSetView {
+  int node_count = 0, interior_count = 0, entry_count = 0;
+  const int* corner_node = nullptr;             ///< [slots]
+  const std::uint16_t* corner_entry = nullptr;  ///< [slots]
+  const int* patch_first_entry = nullptr;       ///< [patches + 1]
+  const int* patch_interior = nullptr;          ///< [patches]
+  const int* entry_node = nullptr;              ///< [entries]
+  const int* entry_first_slot = nullptr;        ///< [entries + 1]
+  const int* entry_slot = nullptr;              ///< [slots]
+  const int* boundary_first = nullptr;          ///< [boundary nodes + 1]
+  const int* boundary_entry = nullptr;
+};
+
+/// A contiguous run of elements of one batch: what an element kernel loops over.
+struct BatchView {
+  int element_count = 0;
+  int first_slot = 0, first_gauss = 0;
+  /// Corner slot and Gauss point of the batch's element i.
+  ASHLAR_HD int slot(int i, int corners, int k) const { return first_slot + i * corners + k; }
+  ASHLAR_HD int gauss(int i, int g) const { return first_gauss + g * element_count + i; }
+};
+
+/// The mechanical lane. Vectors are packed x y z per node.
+template <class Real>
+struct BodyView {
+  NodeSetView nodes;
+  const Real* x = nullptr;              ///< [3 * nodes] m
+  Real* u = nullptr;                    ///< [3 * nodes] displacement, m
+  Real* v = nullptr;                    ///< [3 * nodes] velocity (static stages: displacement of one step, m)
+  const Real* load = nullptr;           ///< [3 * nodes] external force, N
+  Real* force = nullptr;                ///< [3 * nodes] internal and contact force, N: at rest load = force
+  Real* kept_force = nullptr;           ///< [3 * nodes] force of an earlier step
+  const Real* inverse_mass = nullptr;   ///< [nodes] 1/kg (static stages: virtual mass, N/m for a unit step)
+  const std::uint8_t* fixed = nullptr;  ///< [nodes] bits 0 1 2: x y z held
+  Real* corner_force = nullptr;         ///< [3 * slots] per element corner, N
+  Real* partial = nullptr;              ///< [3 * entries] sums of one patch, for nodes on patch boundaries
+  const Real* warming = nullptr;        ///< [Gauss points] T - T_reference, K
+  Real* stress = nullptr;               ///< [6 * Gauss points] Pa, xx yy zz xy yz zx
+};
+
+}  // namespace ashlar
