@@ -1,0 +1,54 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "base/error.hpp"
+
+namespace ashlar {
+
+/// Words and numbers of a text file held in memory. Every failure is a DeckError that names the file and the line.
+class Scanner {
+ public:
+  /// Reads the whole file. Throws DeckError if it cannot be read.
+  Scanner(const std::string& path, const Where& where);
+
+  bool at_end();                        ///< nothing but white space left
+  std::string_view word();              ///< next word; empty at the end of the file
+  long integer(const char* expected);   ///< `expected` completes "expected ...", as in "a node number"
+  double number(const char* expected);  ///< finite
+  /// How many things follow: not negative and not more than the rest of the file can hold, so that memory may be
+  /// reserved for them.
+  long count(const char* expected);
+  std::string quoted(const char* expected);
+  void keyword(std::string_view expected);
+  /// Skips to just behind the word `keyword`; false if the file ends first.
+  bool skip_past(std::string_view keyword);
+
+  /// Which list is being read: completes messages about a file with too few or too many entries.
+  void begin_list(const char* things, long promised);
+  void next() { ++read_; }
+  void end_list() { things_ = nullptr; }
+
+  std::size_t position() const { return at_; }
+  /// Complains about the line at `position`.
+  [[noreturn]] void fail(std::size_t position, const std::string& message) const;
+  /// Complains about the word read last.
+  [[noreturn]] void fail(const std::string& message) const { fail(word_start_, message); }
+  /// Complains about the file as a whole.
+  [[noreturn]] void fail_file(const std::string& message) const;
+  long line_of(std::size_t position) const;
+
+ private:
+  [[noreturn]] void fail_expected(const std::string& expected, std::string_view found) const;
+
+  std::string path_;
+  Where where_;
+  std::string text_;
+  std::size_t at_ = 0;
+  std::size_t word_start_ = 0;
+  const char* things_ = nullptr;
+  long promised_ = 0;
+  long read_ = 0;
+};
+
+}  // namespace ashlar

@@ -1,0 +1,301 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+
+#include "io/mesh_file.hpp"
+
+namespace ashlar {
+namespace {
+
+std::string data_file(const std::string& name) { return std::string(ASHLAR_TEST_DATA) + "/" + name; }
+
+std::string text_of(const std::string& path) {
+  std::ifstream stream(path);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// A file in the temporary folder that goes away with the test.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& text) {
+    path_ = (std::filesystem::temp_directory_path() / ("ashlar_mesh_" + std::to_string(getpid()) + ".msh")).string();
+    std::ofstream(path_) << text;
+  }
+  ~TemporaryFile() { std::filesystem::remove(path_); }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+Mesh read_text(const std::string& text) {
+  const TemporaryFile file(text);
+  return read_mesh(file.path(), {"dam.lua", 3});
+}
+
+/// The complaint about a mesh file, without the path: "dam.lua:3: mesh:12: ...".
+std::string complaint(const std::string& text) {
+  const TemporaryFile file(text);
+  try {
+    read_mesh(file.path(), {"dam.lua", 3});
+  } catch (const DeckError& error) {
+    std::string message = error.what();
+    const auto at = message.find(file.path());
+    if (at != std::string::npos) message.replace(at, file.path().size(), "mesh");
+    return message;
+  }
+  return "no complaint";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+/// Two hex8 on each other, a facet below, one between them; 2.2. Node numbers have gaps.
+const std::string two_cubes = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+3
+3 1 "rock"
+3 2 "dam"
+2 5 "bottom"
+$EndPhysicalNames
+$Nodes
+12
+10 0 0 0
+20 1 0 0
+30 1 1 0
+40 0 1 0
+50 0 0 1
+60 1 0 1
+70 1 1 1
+80 0 1 1
+90 0 0 2
+100 1 0 2
+110 1 1 2
+120 0 1 2
+$EndNodes
+$Elements
+4
+1 3 2 5 1 10 20 30 40
+2 3 2 6 1 50 60 70 80
+3 5 2 1 1 10 20 30 40 50 60 70 80
+4 5 2 2 2 50 60 70 80 90 100 110 120
+$EndElements
+)";
+
+/// Volume of one element by the divergence theorem: V = 1/3 sum of centroid . area over the faces (plane faces).
+double volume(const Mesh& mesh, int e) {
+  double sum = 0;
+  for (int f = 0; f < face_count(mesh.shapes[e]); ++f)
+    sum += dot(mesh.facet_centroid({e, f}), mesh.facet_area({e, f})) / 3;
+  return sum;
+}
+
+double region_volume(const Mesh& mesh, const std::string& region) {
+  double sum = 0;
+  for (int e = 0; e < mesh.element_count(); ++e)
+    if (mesh.region_names[mesh.regions[e]] == region) sum += volume(mesh, e);
+  return sum;
+}
+
+Vec3<double> surface_area(const Mesh& mesh, const std::string& surface) {
+  Vec3<double> sum;
+  const Surface* found = mesh.find_surface(surface);
+  if (!found) throw std::runtime_error("no surface " + surface);
+  for (const Facet& f : found->facets) sum = sum + mesh.facet_area(f);
+  return sum;
+}
+
+// A column of two unit cubes (regions) meshed by Gmsh and saved as 4.1.
+class Column : public testing::TestWithParam<const char*> {};
+
+TEST_P(Column, regions_fill_their_cubes_and_surfaces_have_their_areas) {
+  const Mesh mesh = read_mesh(data_file(GetParam()), {});
+  EXPECT_EQ(mesh.region_names, (std::vector<std::string>{"dam body", "rock"}));  // by group number: 3, 7
+  EXPECT_NEAR(region_volume(mesh, "rock"), 1, 1e-14);
+  EXPECT_NEAR(region_volume(mesh, "dam body"), 1, 1e-14);
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    EXPECT_GT(volume(mesh, e), 0);
+    EXPECT_EQ(mesh.region_names[mesh.regions[e]], mesh.centroid(e).z < 1 ? "rock" : "dam body");
+  }
+  // Outward normals: down at the bottom; the contact is seen from the element that comes first, in the rock.
+  EXPECT_NEAR(surface_area(mesh, "bottom").z, -1, 1e-14);
+  EXPECT_NEAR(surface_area(mesh, "contact").z, 1, 1e-14);
+  for (const Facet& f : mesh.find_surface("contact")->facets) EXPECT_LT(mesh.centroid(f.element).z, 1);
+}
+INSTANTIATE_TEST_SUITE_P(shapes, Column,
+                         testing::Values("column_hex_41.msh", "column_wedge_41.msh", "column_tet_41.msh",
+                                         "column_hex_22.msh"));
+
+TEST(MeshFile, facets_may_belong_to_several_surfaces_and_unnamed_groups_get_their_number) {
+  const Mesh mesh = read_mesh(data_file("column_hex_41.msh"), {});
+  ASSERT_NE(mesh.find_surface("surface_9"), nullptr);  // bottom and top
+  EXPECT_EQ(mesh.find_surface("surface_9")->facets.size(),
+            mesh.find_surface("bottom")->facets.size() + mesh.find_surface("top")->facets.size());
+  EXPECT_NEAR(surface_area(mesh, "surface_9").z, 0, 1e-14);
+}
+
+TEST(MeshFile, nodes_of_geometry_points_are_left_out) {
+  const Mesh mesh = read_mesh(data_file("column_hex_41.msh"), {});  // 46 nodes, one of them a lone point at (5, 5, 5)
+  EXPECT_EQ(mesh.node_count(), 45);
+  for (const auto& p : mesh.points) EXPECT_LE(p.x, 1);
+}
+
+TEST(MeshFile, both_versions_give_the_same_body) {
+  const Mesh a = read_mesh(data_file("column_hex_41.msh"), {}), b = read_mesh(data_file("column_hex_22.msh"), {});
+  EXPECT_EQ(a.node_count(), b.node_count());
+  EXPECT_EQ(a.element_count(), b.element_count());
+  EXPECT_EQ(a.surfaces.size(), b.surfaces.size());
+  for (const auto& s : a.surfaces) EXPECT_EQ(s.facets.size(), b.find_surface(s.name)->facets.size());
+}
+
+TEST(MeshFile, public_dam_has_its_volumes_and_surfaces) {
+  // Dam D0: section 8 x 60 + 40 x 50 / 2 = 1480 m^2, rock 168 x 60 m, slice 12 m; wetted face 55 m high.
+  for (const char* name : {"dam_D0_r1_ny1.msh", "dam_D0_r2_ny4.msh"}) {
+    const Mesh mesh = read_mesh(data_file(name), {});
+    EXPECT_EQ(mesh.region_names, (std::vector<std::string>{"rock", "concrete"}));
+    EXPECT_EQ(mesh.surfaces.size(), 9u);
+    EXPECT_NEAR(region_volume(mesh, "concrete"), 1480 * 12, 1e-8);
+    EXPECT_NEAR(region_volume(mesh, "rock"), 168 * 60 * 12, 1e-7);
+    EXPECT_NEAR(surface_area(mesh, "up_wet").x, -55 * 12, 1e-9);
+    EXPECT_NEAR(surface_area(mesh, "bottom").z, -168 * 12, 1e-9);
+    // Every outer face of the mesh together: a closed surface has no net area.
+    Vec3<double> closed;
+    for (const Facet& f : find_faces(mesh).outer) closed = closed + mesh.facet_area(f);
+    EXPECT_NEAR(norm(closed), 0, 1e-8);
+  }
+}
+
+TEST(MeshFile, inner_facet_belongs_to_the_first_element) {
+  const Mesh mesh = read_text(two_cubes);
+  EXPECT_EQ(mesh.region_names, (std::vector<std::string>{"rock", "dam"}));
+  ASSERT_NE(mesh.find_surface("surface_6"), nullptr);
+  EXPECT_EQ(mesh.find_surface("surface_6")->facets[0].element, 0);
+  EXPECT_EQ(mesh.source_ids, (std::vector<long>{3, 4}));
+}
+
+TEST(MeshFile, without_volume_groups_geometric_volumes_are_regions) {
+  std::string text = replaced(two_cubes, "3 5 2 1 1", "3 5 2 0 14");
+  text = replaced(text, "4 5 2 2 2", "4 5 2 0 15");
+  EXPECT_EQ(read_text(text).region_names, (std::vector<std::string>{"region_14", "region_15"}));
+}
+
+TEST(MeshFile, windows_line_ends_and_unknown_sections_do_not_matter) {
+  std::string text = replaced(two_cubes, "$Nodes", "$Comments\nnothing $Nodes\n$EndComments\n$Nodes");
+  std::string windows;
+  for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_EQ(read_text(windows).element_count(), 2);
+}
+
+TEST(MeshFile, complaints_name_the_line_and_what_was_expected) {
+  const auto& cubes = two_cubes;
+  EXPECT_EQ(complaint(cubes.substr(0, cubes.find("120 0 1 2"))),
+            "dam.lua:3: mesh:23: expected a node number, but the file ends here: it is truncated "
+            "(11 of the 12 nodes that the section announces were read)");
+  EXPECT_EQ(complaint(cubes.substr(0, cubes.find("$Elements"))),
+            "dam.lua:3: mesh: there is no section $Elements: the file is truncated");
+  EXPECT_EQ(complaint(replaced(cubes, "60 1 0 1", "60 nan 0 1")),
+            "dam.lua:3: mesh:17: expected a coordinate x, a finite number, found 'nan'");
+  EXPECT_EQ(complaint(replaced(cubes, "60 1 0 1", "60 1 oops 1")),
+            "dam.lua:3: mesh:17: expected a coordinate y, found 'oops' (5 of the 12 nodes that the section announces "
+            "were read)");
+  EXPECT_EQ(complaint(replaced(cubes, "60 70 80 90", "60 70 81 90")),
+            "dam.lua:3: mesh:30: element 4 (hex8) uses node 81, which is not in $Nodes");
+  EXPECT_EQ(complaint(replaced(cubes, "4 5 2 2 2", "4 5 2 0 2")),
+            "dam.lua:3: mesh:30: hex8 element 4 (volume 2) is in no volume group, but the file has volume groups: put "
+            "it into one");
+  EXPECT_EQ(complaint(replaced(cubes, "50 60 70 80\n3", "50 60 70 110\n3")),
+            "dam.lua:3: mesh:28: quad4 element 2 is not a face of any volume element");
+  EXPECT_EQ(complaint(replaced(cubes, "2.2 0 8", "2.2 1 8")),
+            "dam.lua:3: mesh:2: the file is binary; save it as ASCII ('Mesh.Binary = 0' or without 'gmsh -bin')");
+  EXPECT_EQ(
+      complaint(replaced(cubes, "2.2 0 8", "4 0 8")),
+      "dam.lua:3: mesh:2: mesh file version '4' is not read; save it as version 4.1 or 2.2 ('gmsh -format msh41')");
+  EXPECT_EQ(complaint(replaced(cubes, "$Nodes\n12", "$Nodes\n13")),
+            "dam.lua:3: mesh:24: expected a node number, found '$EndNodes' "
+            "(12 of the 13 nodes that the section announces were read)");
+  EXPECT_EQ(complaint(replaced(cubes, "$Elements\n4", "$Elements\n3")),
+            "dam.lua:3: mesh:30: expected $EndElements, found '4' (3 of the 3 elements that the section announces were "
+            "read)");
+  EXPECT_EQ(complaint(replaced(cubes, "120 0 1 2", "110 0 1 2")), "dam.lua:3: mesh: node 110 is given twice");
+  EXPECT_EQ(complaint("solid cube"),
+            "dam.lua:3: mesh:1: this is no Gmsh mesh file: expected '$MeshFormat' as its first word");
+  EXPECT_EQ(complaint(""), "dam.lua:3: mesh:1: this is no Gmsh mesh file: expected '$MeshFormat' as its first word");
+}
+
+TEST(MeshFile, a_count_is_never_trusted_beyond_the_size_of_the_file) {
+  EXPECT_NE(complaint(replaced(two_cubes, "$Nodes\n12", "$Nodes\n2000000000"))
+                .find("mesh:11: expected the number of nodes, found 2000000000, but the file has only"),
+            std::string::npos);
+  EXPECT_EQ(complaint(replaced(two_cubes, "$Elements\n4", "$Elements\n99999999999999999999")),
+            "dam.lua:3: mesh:26: the number '99999999999999999999' is too large");
+  EXPECT_EQ(complaint(replaced(two_cubes, "$Elements\n4", "$Elements\n-4")),
+            "dam.lua:3: mesh:26: expected the number of elements, found -4");
+}
+
+TEST(MeshFile, an_element_belongs_to_exactly_one_region) {
+  std::string text = replaced(two_cubes, "$Elements\n4", "$Elements\n5");
+  text = replaced(text, "$EndElements", "5 5 2 1 2 50 60 70 80 90 100 110 120\n$EndElements");
+  EXPECT_EQ(complaint(text),
+            "dam.lua:3: mesh:31: hex8 element 5 has the same nodes as element 4 (line 30): it is in two volume groups, "
+            "'dam' and 'rock'; every element must be in exactly one");
+  const std::string column = text_of(data_file("column_hex_41.msh"));
+  const std::string volume_line = "1 0 0 0 1 1 1 1 7 6";
+  EXPECT_NE(complaint(replaced(column, volume_line, "1 0 0 0 1 1 1 2 7 3 6"))
+                .find("is in two volume groups, 'rock' and 'dam body'; every element must be in exactly one"),
+            std::string::npos);
+}
+
+TEST(MeshFile, second_order_elements_and_pyramids_are_refused_by_name) {
+  EXPECT_EQ(
+      complaint(replaced(two_cubes, "3 5 2 1 1", "3 17 2 1 1")),
+      "dam.lua:3: mesh:29: element type 17 (hex20) is of second order; only first-order elements are read: mesh again "
+      "with 'Mesh.ElementOrder = 1'");
+  EXPECT_NE(
+      complaint(replaced(two_cubes, "3 5 2 1 1", "3 7 2 1 1")).find("type 7 (pyramid5) is not read; valid volume"),
+      std::string::npos);
+}
+
+TEST(MeshFile, a_node_of_no_element_is_named) {
+  std::string text = replaced(two_cubes, "$Nodes\n12\n", "$Nodes\n14\n7 9 9 9\n8 9 9 9\n");
+  EXPECT_EQ(complaint(text),
+            "dam.lua:3: mesh: 2 nodes belong to no element: 7, 8; remove them or save the elements that use them");
+  text = replaced(replaced(text, "$Elements\n4\n", "$Elements\n5\n9 1 2 0 1 7 8\n"), "9 9 9", "9 9 8");
+  EXPECT_EQ(read_text(text).node_count(), 12);
+}
+
+TEST(MeshFile, a_missing_file_is_a_deck_error) {
+  try {
+    read_mesh("no such.msh", {"dam.lua", 3});
+    FAIL();
+  } catch (const DeckError& error) {
+    EXPECT_STREQ(error.what(), "dam.lua:3: there is no mesh file 'no such.msh'");
+  }
+  EXPECT_THROW(read_mesh("/", {}), DeckError);
+}
+
+TEST(MeshFile, every_truncation_and_every_damaged_byte_gives_a_complaint_or_a_mesh) {
+  const std::string column = text_of(data_file("column_wedge_41.msh"));
+  for (std::size_t length = 0; length + 2 < column.size(); length += 7)
+    EXPECT_NE(complaint(column.substr(0, length)), "no complaint") << length;
+  for (std::size_t i = 0; i < column.size(); i += 3)
+    for (const char c : {'-', '9', ' ', '$'}) {
+      std::string damaged = column;
+      damaged[i] = c;
+      complaint(damaged);  // anything but DeckError ends the test program
+    }
+}
+
+}  // namespace
+}  // namespace ashlar
