@@ -93,6 +93,28 @@ ASHLAR_HD Utilisation<Real> utilisation(const SpringLaw<Real>& law, const Split<
           fma(traction.normal, law.tan_friction, norm(traction.shear)) / law.cohesion};
 }
 
+/// Where between two states a bonded contact first uses its whole strength, if its traction changes linearly from
+/// `before` to `after`: a fraction in [0, 1], or above 1 if it stays below.
+template <class Real>
+ASHLAR_HD Real first_crossing(const SpringLaw<Real>& law, const Split<Real>& before, const Split<Real>& after) {
+  const Real never = Real(2);
+  Real first = never;
+  const Real rise = after.normal - before.normal;
+  if (after.normal >= law.tensile_strength)
+    first = before.normal >= law.tensile_strength ? Real(0) : (law.tensile_strength - before.normal) / rise;
+  // |s0 + x ds| = p + x q, squared: a x^2 + 2 b x + c = 0 with c < 0 while inside the cone.
+  const Vec3<Real> turn = after.shear - before.shear;
+  const Real p = fma(-law.tan_friction, before.normal, law.cohesion), q = -law.tan_friction * rise;
+  const Real a = fma(-q, q, dot(turn, turn)), b = fma(-p, q, dot(before.shear, turn));
+  const Real c = fma(-p, p, dot(before.shear, before.shear));
+  if (p <= Real(0) || c >= Real(0)) return Real(0);
+  const Real square = fma(b, b, -(a * c));
+  if (square < Real(0)) return first;
+  const Real below = b + root(square);
+  if (below <= Real(0)) return first;
+  return smaller(first, -c / below);
+}
+
 /// The stiffness keys that every interface law has.
 struct StiffnessKeys {
   double normal_stiffness = 0, shear_stiffness = 0, stiffness_factor = 100;

@@ -1,0 +1,69 @@
+#pragma once
+#include "kernels/spring_view.hpp"
+
+/// Phase spring_force: every spring once, then every node sums its springs, both in the model's order and without
+/// atomics.
+namespace ashlar {
+
+/// One contact point -> its force; moves its slip (numerics 5).
+template <class Real>
+struct SpringForce {
+  SpringView<Real> springs;
+  const Real* u;  ///< [3 * block nodes] m
+
+  ASHLAR_HD void operator()(int c) const {
+    const auto answer = springs.answer(u, c);
+    const Vec3<Real> traction = joined(answer.traction, springs.normal_of(c));
+    for (int i = 0; i < 3; ++i) {
+      springs.slip[3 * c + i] = answer.slip[i];
+      springs.force[3 * c + i] = springs.area[c] * traction[i];
+    }
+  }
+};
+
+/// One node with springs -> adds them to its internal force (force = internal - external sign: what the springs pull
+/// back with).
+template <class Real>
+struct GatherSpring {
+  SpringView<Real> springs;
+  Real* force;  ///< [3 * block nodes] N
+
+  ASHLAR_HD void operator()(int i) const {
+    Real sum[3] = {force[3 * springs.node[i]], force[3 * springs.node[i] + 1], force[3 * springs.node[i] + 2]};
+    for (int j = springs.node_first[i]; j < springs.node_first[i + 1]; ++j) {
+      const int entry = springs.node_contact[j];
+      const Real* f = springs.force + 3 * (entry < 0 ? -1 - entry : entry);
+      const Real sign = entry < 0 ? Real(1) : Real(-1);
+      for (int k = 0; k < 3; ++k) sum[k] = fma(sign, f[k], sum[k]);
+    }
+    for (int k = 0; k < 3; ++k) force[3 * springs.node[i] + k] = sum[k];
+  }
+};
+
+/// One node with springs -> adds the absolute row sums of their stiffness, all contacts closed, to its three
+/// components: the springs' part of the virtual mass (numerics 3). A row holds the node itself and the other side:
+/// twice the block A k.
+template <class Real>
+struct SpringBound {
+  SpringView<Real> springs;
+  Real* row_sum;  ///< [3 * block nodes] N/m
+
+  ASHLAR_HD void operator()(int i) const {
+    for (int j = springs.node_first[i]; j < springs.node_first[i + 1]; ++j) {
+      const int entry = springs.node_contact[j], c = entry < 0 ? -1 - entry : entry;
+      if (springs.node_a[c] == springs.node_b[c]) continue;  // the tip of a joint: no relative displacement
+      const auto n = springs.normal_of(c);
+      const auto k = springs.stiffness_of(c);
+      for (int row = 0; row < 3; ++row) {
+        Real sum = Real(0);
+        for (int column = 0; column < 3; ++column) {
+          const Real part = fma((k.normal - k.shear) * n[row], n[column], row == column ? k.shear : Real(0));
+          sum += part < Real(0) ? -part : part;
+        }
+        row_sum[3 * springs.node[i] + row] = fma(Real(2) * springs.area[c], sum, row_sum[3 * springs.node[i] + row]);
+      }
+    }
+  }
+};
+
+}  // namespace ashlar

@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+
+#include "physics/interface_laws/spring.hpp"
+
+namespace ashlar {
+
+/// What a kernel sees of the springs: contact points in the model's order, structure of arrays. Block nodes as the body
+/// numbers them.
+template <class Real>
+struct SpringView {
+  int contact_count = 0;
+  int node_count = 0;                      ///< block nodes that have springs
+  const int* node_a = nullptr;             ///< [contacts]
+  const int* node_b = nullptr;             ///< [contacts]
+  const Real* normal = nullptr;            ///< [3 * contacts], unit, from a to b
+  const Real* area = nullptr;              ///< [contacts] m^2
+  const Real* normal_stiffness = nullptr;  ///< [contacts] Pa/m
+  const Real* shear_stiffness = nullptr;   ///< [contacts] Pa/m
+  const int* interface = nullptr;          ///< [contacts], index into laws
+  const SpringLaw<Real>* laws = nullptr;
+  ContactState* state = nullptr;  ///< [contacts]
+  Real* slip = nullptr;           ///< [3 * contacts] m
+  Real* force = nullptr;          ///< [3 * contacts] N, on side a; side b gets the opposite
+
+  /// Springs of a node: entries node_first[i] .. node_first[i+1]-1 of node_contact, contacts ascending.
+  const int* node = nullptr;          ///< [nodes with springs] the block node
+  const int* node_first = nullptr;    ///< [nodes with springs + 1]
+  const int* node_contact = nullptr;  ///< contact c where the node is side a, -1 - c where it is side b
+
+  ASHLAR_HD Vec3<Real> normal_of(int c) const { return {normal[3 * c], normal[3 * c + 1], normal[3 * c + 2]}; }
+  ASHLAR_HD Vec3<Real> slip_of(int c) const { return {slip[3 * c], slip[3 * c + 1], slip[3 * c + 2]}; }
+  ASHLAR_HD SpringStiffness<Real> stiffness_of(int c) const { return {normal_stiffness[c], shear_stiffness[c]}; }
+  ASHLAR_HD const SpringLaw<Real>& law_of(int c) const { return laws[interface[c]]; }
+  ASHLAR_HD Vec3<Real> gap(const Real* u, int c) const {
+    const Real* a = u + 3 * node_a[c];
+    const Real* b = u + 3 * node_b[c];
+    return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  }
+  /// Traction of contact c at displacement u, and the slip that goes with it.
+  ASHLAR_HD SpringAnswer<Real> answer(const Real* u, int c) const {
+    const auto& law = law_of(c);
+    return spring_traction(law.holds(state[c]), law.tan_friction, stiffness_of(c), split(gap(u, c), normal_of(c)),
+                           slip_of(c));
+  }
+};
+
+}  // namespace ashlar
