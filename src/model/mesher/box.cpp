@@ -1,0 +1,34 @@
+#include <cmath>
+
+#include "model/mesher/lattice.hpp"
+
+namespace ashlar {
+
+Lattice mesh_box(const Box& box) {
+  constexpr const char* axis_names[] = {"x", "y", "z"};
+  Complaints complaints;
+  for (int a = 0; a < 3; ++a) {
+    const std::string axis = axis_names[a];
+    if (!std::isfinite(box.from[a]) || !std::isfinite(box.to[a]))
+      complaints.add(box.where, "box '" + box.name + "': 'from' and 'to' must be finite; " + axis + " is not");
+    else if (box.to[a] <= box.from[a])
+      complaints.add(box.where, "box '" + box.name + "': 'to' must lie beyond 'from' along " + axis);
+    if (box.cells[a] < 1)
+      complaints.add(box.where, "box '" + box.name + "': needs at least one cell along " + axis + ", got " +
+                                    std::to_string(box.cells[a]));
+  }
+  complaints.raise();
+
+  Lattice lattice{box.cells[0], box.cells[1], box.cells[2], {}, box.shape, false};
+  const auto coordinate = [&](int axis, int i) {
+    const double t = static_cast<double>(i) / box.cells[axis];
+    return i == box.cells[axis] ? box.to[axis] : box.from[axis] + t * (box.to[axis] - box.from[axis]);
+  };
+  for (int k = 0; k <= lattice.nz; ++k)
+    for (int j = 0; j <= lattice.ny; ++j)
+      for (int i = 0; i <= lattice.nx; ++i)
+        lattice.points.push_back({coordinate(0, i), coordinate(1, j), coordinate(2, k)});
+  return lattice;
+}
+
+}  // namespace ashlar
