@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <numeric>
 
 #include "model/blocks.hpp"
+#include "model/loads.hpp"
 #include "physics/interface_laws/interface_laws.hpp"
 #include "physics/laws/laws.hpp"
 
@@ -10,57 +11,22 @@ namespace ashlar {
 
 namespace {
 
-/// One quadrature point of a bilinear quad.
-struct QuadPoint {
-  std::array<double, 4> shape;  ///< N_i
-  Vec3<double> area;            ///< normal times weighted area, m^2
-};
-
-/// 2x2 Gauss.
-std::array<QuadPoint, 4> quad_points(const std::array<Vec3<double>, 4>& p) {
-  std::array<QuadPoint, 4> points;
-  const double g = 1 / std::sqrt(3.0);
-  int q = 0;
-  for (const double s : {-g, g})
-    for (const double t : {-g, g}) {
-      const Vec3<double> along_s = (0.25 * (1 - t)) * (p[1] - p[0]) + (0.25 * (1 + t)) * (p[2] - p[3]);
-      const Vec3<double> along_t = (0.25 * (1 - s)) * (p[3] - p[0]) + (0.25 * (1 + s)) * (p[2] - p[1]);
-      points[q++] = {{(1 - s) * (1 - t) / 4, (1 + s) * (1 - t) / 4, (1 + s) * (1 + t) / 4, (1 - s) * (1 + t) / 4},
-                     cross(along_s, along_t)};
-    }
-  return points;
-}
-
-/// Integral of every shape function over one facet, m^2, in the order of facet_nodes; exact thirds on a triangle.
+/// Integral of every shape function over one facet, m^2, in the order of Mesh::facet_nodes.
 std::array<double, 4> corner_areas(const Mesh& mesh, const Facet& facet) {
-  const auto nodes = mesh.facet_nodes(facet);
-  if (nodes.size() == 3) {
-    const double third = norm(mesh.facet_area(facet)) / 3;
-    return {third, third, third, 0};
-  }
   std::array<double, 4> areas{};
-  for (const auto& q :
-       quad_points({mesh.points[nodes[0]], mesh.points[nodes[1]], mesh.points[nodes[2]], mesh.points[nodes[3]]}))
-    for (int i = 0; i < 4; ++i) areas[i] += q.shape[i] * norm(q.area);
+  for (const auto& point : facet_points(facet_corners(mesh, facet)))
+    for (int i = 0; i < 4; ++i) areas[i] += point.shape[i] * norm(point.area);
+  if (face_corners(mesh.shapes[facet.element], facet.face).size() == 3) areas[2] += areas[3];
   return areas;
 }
 
-/// m^3: a third of the integral of x . n dA over the facets, exact on bilinear quads with 2x2 Gauss.
+/// m^3: a third of the integral of x . n dA over the facets, exact on bilinear ones.
 double element_volume(const Mesh& mesh, int element) {
   const Vec3<double> origin = mesh.centroid(element);
   double volume = 0;
-  for (int f = 0; f < face_count(mesh.shapes[element]); ++f) {
-    const Facet facet{element, f};
-    const auto nodes = mesh.facet_nodes(facet);
-    if (nodes.size() == 3) {
-      volume += dot(mesh.points[nodes[0]] - origin, mesh.facet_area(facet)) / 3;
-      continue;
-    }
-    std::array<Vec3<double>, 4> p;
-    for (int i = 0; i < 4; ++i) p[i] = mesh.points[nodes[i]] - origin;
-    for (const auto& q : quad_points(p))
-      for (int i = 0; i < 4; ++i) volume += q.shape[i] * dot(p[i], q.area) / 3;
-  }
+  for (int f = 0; f < face_count(mesh.shapes[element]); ++f)
+    for (const auto& point : facet_points(facet_corners(mesh, {element, f})))
+      volume += dot(point.position - origin, point.area) / 3;
   return volume;
 }
 
@@ -102,7 +68,7 @@ ContactPoints place_contacts(const Model& model, const Blocks& blocks) {
     const auto& face = blocks.faces[f];
     const auto nodes = mesh.facet_nodes(face.a);
     const auto areas = corner_areas(mesh, face.a);
-    const double area = areas[0] + areas[1] + areas[2] + areas[3];
+    const double area = std::accumulate(areas.begin(), areas.begin() + nodes.size(), 0.0);
     const Vec3<double> along = mesh.facet_area(face.a);
     const Vec3<double> normal = (1 / norm(along)) * along;
 
