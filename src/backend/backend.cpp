@@ -4,24 +4,18 @@ namespace ashlar {
 
 const char* phase_name(Phase phase) {
   switch (phase) {
-    case Phase::block_force:
-      return "block_force";
-    case Phase::gather_force:
-      return "gather_force";
-    case Phase::spring_force:
-      return "spring_force";
-    case Phase::move_nodes:
-      return "move_nodes";
-    case Phase::keep_force:
-      return "keep_force";
-    case Phase::relaxation_sums:
-      return "relaxation_sums";
-    case Phase::stiffness_bound:
-      return "stiffness_bound";
-    case Phase::block_stress:
-      return "block_stress";
-    case Phase::count:
-      break;
+    case Phase::block_force: return "block_force";
+    case Phase::gather_force: return "gather_force";
+    case Phase::spring_force: return "spring_force";
+    case Phase::move_nodes: return "move_nodes";
+    case Phase::keep_force: return "keep_force";
+    case Phase::relaxation_sums: return "relaxation_sums";
+    case Phase::stiffness_bound: return "stiffness_bound";
+    case Phase::block_stress: return "block_stress";
+    case Phase::spring_utilisation: return "spring_utilisation";
+    case Phase::spring_crossing: return "spring_crossing";
+    case Phase::break_springs: return "break_springs";
+    case Phase::count: break;
   }
   return "?";
 }

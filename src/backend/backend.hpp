@@ -7,6 +7,7 @@
 
 #include "model/blocks.hpp"
 #include "model/discretisation.hpp"
+#include "physics/interface_laws/spring.hpp"
 #include "physics/laws/laws.hpp"
 
 /// What a solver sees of a machine: named phases to run, scalars to decide by, whole fields only for set-up and output.
@@ -14,35 +15,44 @@ namespace ashlar {
 
 /// One named piece of a step: the unit of order, timing and test.
 enum class Phase : std::uint8_t {
-  block_force,      ///< element corner forces
-  gather_force,     ///< corner forces to nodes
-  spring_force,     ///< contact springs, added to nodes
-  move_nodes,       ///< velocity, then displacement
-  keep_force,       ///< remember the force for the next stiffness estimate
-  relaxation_sums,  ///< partial sums behind Backend::relaxation_sums
-  stiffness_bound,  ///< Gershgorin bound of the stiffness at every node, into Field::stiffness
-  block_stress,     ///< Gauss-point stress for output
+  block_force,         ///< element corner forces
+  gather_force,        ///< corner forces to nodes
+  spring_force,        ///< contact springs, added to nodes
+  move_nodes,          ///< velocity, then displacement
+  keep_force,          ///< remember the force for the next stiffness estimate
+  relaxation_sums,     ///< partial sums behind Backend::relaxation_sums
+  stiffness_bound,     ///< Gershgorin bound of the stiffness at every node, into Field::stiffness
+  block_stress,        ///< Gauss-point stress for output
+  spring_utilisation,  ///< share of its strength that each contact point uses, into Field::utilisation
+  spring_crossing,     ///< where between Field::displacement_before and now it reached its strength, into
+                       ///< Field::utilisation
+  break_springs,       ///< cracks contact points at or above Controls::break_threshold
   count
 };
 const char* phase_name(Phase phase);
 
 /// Arrays that cross between solver and machine. Always double outside; vectors are packed x y z.
 enum class Field : std::uint8_t {
-  displacement,  ///< [3 * block nodes] m
-  velocity,      ///< [3 * block nodes]
-  load,          ///< [3 * block nodes] N
-  force,         ///< [3 * block nodes] N, internal and contact
-  inverse_mass,  ///< [block nodes]
-  fixed,         ///< [block nodes] bits 0 1 2: x y z held
-  stiffness,     ///< [block nodes] N/m, row-sum bound, largest of the three directions
-  warming,       ///< [Gauss points] K above the reference temperature
-  stress,        ///< [6 * Gauss points] Pa
+  displacement,         ///< [3 * block nodes] m
+  velocity,             ///< [3 * block nodes]
+  load,                 ///< [3 * block nodes] N
+  force,                ///< [3 * block nodes] N, internal and contact
+  inverse_mass,         ///< [block nodes]
+  fixed,                ///< [block nodes] bits 0 1 2: x y z held
+  stiffness,            ///< [block nodes] N/m, row-sum bound, largest of the three directions
+  warming,              ///< [Gauss points] K above the reference temperature
+  stress,               ///< [6 * Gauss points] Pa
+  slip,                 ///< [3 * contact points] m
+  contact_state,        ///< [contact points] ContactState as a number
+  utilisation,          ///< [contact points] 1: at its strength
+  displacement_before,  ///< [3 * block nodes] m, start of the way that spring_crossing looks at
 };
 
 /// Numbers that a step needs from the solver.
 struct Controls {
   double local_damping = 0;    ///< Cundall's alpha
   double viscous_damping = 0;  ///< c of one unit step, < 2
+  double break_threshold = 1;  ///< share of strength
 };
 
 struct RelaxationMeasure {
@@ -59,7 +69,9 @@ struct RelaxationMeasure {
 /// What a backend is built from. The model's laws by material; everything is copied to the machine.
 struct Setup {
   const Discretisation& discretisation;
-  std::vector<BlockLaw> laws;  ///< [materials]
+  const ContactPoints& contacts;                  ///< block nodes numbered as in Blocks
+  std::vector<BlockLaw> laws;                     ///< [materials]
+  std::vector<SpringLaw<double>> interface_laws;  ///< [interfaces]
 };
 
 class Backend {

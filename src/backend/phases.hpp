@@ -7,6 +7,8 @@
 #include "kernels/gather.hpp"
 #include "kernels/move_nodes.hpp"
 #include "kernels/relaxation_sums.hpp"
+#include "kernels/spring_break.hpp"
+#include "kernels/spring_force.hpp"
 #include "physics/shapes/hex8.hpp"
 #include "physics/shapes/tet4.hpp"
 #include "physics/shapes/wedge6.hpp"
@@ -56,6 +58,83 @@ class NodeSet {
   NodeSetView view_;
 };
 
+/// Springs in a machine's memory, block nodes renumbered.
+template <class Exec, class Real>
+class Springs {
+ public:
+  Springs(const Setup& setup) {
+    const ContactPoints& c = setup.contacts;
+    const std::vector<int>& renumber = setup.discretisation.blocks.new_node;
+    const int n = c.count();
+    std::vector<int> a(n), b(n);
+    std::vector<Real> normal(3 * n), area(n), normal_stiffness(n), shear_stiffness(n);
+    std::vector<std::vector<int>> of_node(setup.discretisation.blocks.node_count);
+    for (int i = 0; i < n; ++i) {
+      a[i] = renumber[c.node_a[i]];
+      b[i] = renumber[c.node_b[i]];
+      of_node[a[i]].push_back(i);
+      of_node[b[i]].push_back(-1 - i);
+      for (int k = 0; k < 3; ++k) normal[3 * i + k] = Real(c.normal[i][k]);
+      area[i] = Real(c.area[i]);
+      normal_stiffness[i] = Real(c.normal_stiffness[i]);
+      shear_stiffness[i] = Real(c.shear_stiffness[i]);
+    }
+    std::vector<int> nodes, first{0}, contact;
+    for (int node = 0; node < static_cast<int>(of_node.size()); ++node) {
+      if (of_node[node].empty()) continue;
+      nodes.push_back(node);
+      contact.insert(contact.end(), of_node[node].begin(), of_node[node].end());
+      first.push_back(static_cast<int>(contact.size()));
+    }
+    std::vector<SpringLaw<Real>> laws;
+    for (const auto& law : setup.interface_laws) laws.push_back(law.template as<Real>());
+    node_a_.assign(a);
+    node_b_.assign(b);
+    normal_.assign(normal);
+    area_.assign(area);
+    normal_stiffness_.assign(normal_stiffness);
+    shear_stiffness_.assign(shear_stiffness);
+    interface_.assign(c.interface);
+    laws_.assign(laws);
+    node_.assign(nodes);
+    node_first_.assign(first);
+    node_contact_.assign(contact);
+    state.resize(n);
+    slip.resize(3 * n);
+    force_.resize(3 * n);
+    utilisation.resize(n);
+    view_ = {.contact_count = n,
+             .node_count = static_cast<int>(nodes.size()),
+             .node_a = node_a_.data(),
+             .node_b = node_b_.data(),
+             .normal = normal_.data(),
+             .area = area_.data(),
+             .normal_stiffness = normal_stiffness_.data(),
+             .shear_stiffness = shear_stiffness_.data(),
+             .interface = interface_.data(),
+             .laws = laws_.data(),
+             .state = state.data(),
+             .slip = slip.data(),
+             .force = force_.data(),
+             .node = node_.data(),
+             .node_first = node_first_.data(),
+             .node_contact = node_contact_.data()};
+  }
+  const SpringView<Real>& view() const { return view_; }
+
+ private:
+  template <class T>
+  using Array = typename Exec::template Array<T>;
+  Array<int> node_a_, node_b_, interface_, node_, node_first_, node_contact_;
+  Array<Real> normal_, area_, normal_stiffness_, shear_stiffness_, force_;
+  Array<SpringLaw<Real>> laws_;
+  SpringView<Real> view_;
+
+ public:
+  Array<ContactState> state;
+  Array<Real> slip, utilisation;
+};
+
 template <class Exec, class Real>
 class Phases final : public Backend {
  public:
@@ -63,14 +142,15 @@ class Phases final : public Backend {
       : exec_(std::move(exec)),
         discretisation_(setup.discretisation),
         laws_(setup.laws),
-        blocks_(setup.discretisation.blocks) {
+        blocks_(setup.discretisation.blocks),
+        springs_(setup) {
     const Discretisation& d = setup.discretisation;
     const std::size_t nodes = d.blocks.node_count;
     std::vector<Real> x(3 * nodes);
     for (std::size_t n = 0; n < nodes; ++n)
       for (int c = 0; c < 3; ++c) x[3 * n + c] = Real(d.block_points[n][c]);
     x_.assign(x);
-    for (auto* a : {&u_, &v_, &load_, &force_, &kept_force_}) a->resize(3 * nodes);
+    for (auto* a : {&u_, &v_, &load_, &force_, &kept_force_, &u_before_}) a->resize(3 * nodes);
     inverse_mass_.resize(nodes);
     stiffness_.resize(nodes);
     fixed_.resize(nodes);
@@ -99,24 +179,25 @@ class Phases final : public Backend {
 
   void run(Phase phase, const Controls& controls) override {
     switch (phase) {
-      case Phase::block_force:
-        return each_batch([&](auto element, auto law, int b) { block_force(element, law, b); });
-      case Phase::gather_force:
-        return gather_boundary(body_.force);
-      case Phase::move_nodes:
-        return exec_.for_each(node_count(), MoveNodes<Real>{body_, step_damping(controls)});
-      case Phase::keep_force:
-        return exec_.for_each(node_count(), KeepForce<Real>{body_});
-      case Phase::relaxation_sums:
-        return exec_.for_each(chunks(), RelaxationSums<Real>{body_, chunk_sums_.data()});
-      case Phase::stiffness_bound:
-        return stiffness_bound();
+      case Phase::block_force: return each_batch([&](auto element, auto law, int b) { block_force(element, law, b); });
+      case Phase::gather_force: return gather_boundary(body_.force);
+      case Phase::move_nodes: return exec_.for_each(node_count(), MoveNodes<Real>{body_, step_damping(controls)});
+      case Phase::keep_force: return exec_.for_each(node_count(), KeepForce<Real>{body_});
+      case Phase::relaxation_sums: return exec_.for_each(chunks(), RelaxationSums<Real>{body_, chunk_sums_.data()});
+      case Phase::stiffness_bound: return stiffness_bound();
       case Phase::block_stress:
         return each_batch([&](auto element, auto law, int b) { block_stress(element, law, b); });
-      case Phase::spring_force:
-        return;
-      case Phase::count:
-        break;
+      case Phase::spring_force: return spring_force();
+      case Phase::spring_utilisation:
+        return exec_.for_each(contact_count(),
+                              SpringUtilisation<Real>{springs_.view(), body_.u, springs_.utilisation.data()});
+      case Phase::spring_crossing:
+        return exec_.for_each(contact_count(), SpringCrossing<Real>{springs_.view(), u_before_.data(), body_.u,
+                                                                    springs_.utilisation.data()});
+      case Phase::break_springs:
+        return exec_.for_each(contact_count(),
+                              BreakSprings<Real>{springs_.view(), body_.u, Real(controls.break_threshold)});
+      case Phase::count: break;
     }
     throw std::logic_error("not a phase");
   }
@@ -158,6 +239,7 @@ class Phases final : public Backend {
   };
 
   int node_count() const { return body_.nodes.node_count; }
+  int contact_count() const { return springs_.view().contact_count; }
   int chunks() const { return (discretisation_.blocks.node_count + chunk_nodes - 1) / chunk_nodes; }
 
   static StepDamping<Real> step_damping(const Controls& c) {
@@ -175,12 +257,9 @@ class Phases final : public Backend {
           [&](const auto& law) {
             const auto point = law.template prepare<Real>();
             switch (batch.shape) {
-              case Shape::hex8:
-                return work(ElementTag<Hex8>{}, point, b);
-              case Shape::wedge6:
-                return work(ElementTag<Wedge6>{}, point, b);
-              case Shape::tet4:
-                return work(ElementTag<Tet4>{}, point, b);
+              case Shape::hex8: return work(ElementTag<Hex8>{}, point, b);
+              case Shape::wedge6: return work(ElementTag<Wedge6>{}, point, b);
+              case Shape::tet4: return work(ElementTag<Tet4>{}, point, b);
             }
           },
           laws_[batch.material]);
@@ -209,11 +288,16 @@ class Phases final : public Backend {
   void gather_boundary(Real* sum) {
     exec_.for_each(discretisation_.blocks.boundary_count(), GatherBoundary<Real, 3>{body_.nodes, body_.partial, sum});
   }
+  void spring_force() {
+    exec_.for_each(contact_count(), SpringForce<Real>{springs_.view(), body_.u});
+    exec_.for_each(springs_.view().node_count, GatherSpring<Real>{springs_.view(), body_.force});
+  }
   void stiffness_bound() {
     each_batch([&](auto element, const auto& law, int b) { bound_batch(element, law, b); });
     exec_.for_each(body_.nodes.entry_count,
                    GatherPatch<Real, 3>{body_.nodes, body_.corner_force, body_.partial, body_.force});
     gather_boundary(body_.force);
+    exec_.for_each(springs_.view().node_count, SpringBound<Real>{springs_.view(), body_.force});
     exec_.for_each(node_count(), LargestComponent<Real>{body_.force, stiffness_.data()});
   }
   template <template <class> class E, class Point>
@@ -225,45 +309,43 @@ class Phases final : public Backend {
   template <class Self, class Visit>
   static decltype(auto) visit_field(Self& self, Field field, Visit visit) {
     switch (field) {
-      case Field::displacement:
-        return visit(self.u_);
-      case Field::velocity:
-        return visit(self.v_);
-      case Field::load:
-        return visit(self.load_);
-      case Field::force:
-        return visit(self.force_);
-      case Field::inverse_mass:
-        return visit(self.inverse_mass_);
-      case Field::stiffness:
-        return visit(self.stiffness_);
-      case Field::warming:
-        return visit(self.warming_);
-      case Field::stress:
-        return visit(self.stress_);
-      case Field::fixed:
-        return visit(self.fixed_);
+      case Field::displacement: return visit(self.u_);
+      case Field::velocity: return visit(self.v_);
+      case Field::load: return visit(self.load_);
+      case Field::force: return visit(self.force_);
+      case Field::inverse_mass: return visit(self.inverse_mass_);
+      case Field::stiffness: return visit(self.stiffness_);
+      case Field::warming: return visit(self.warming_);
+      case Field::stress: return visit(self.stress_);
+      case Field::fixed: return visit(self.fixed_);
+      case Field::slip: return visit(self.springs_.slip);
+      case Field::contact_state: return visit(self.springs_.state);
+      case Field::utilisation: return visit(self.springs_.utilisation);
+      case Field::displacement_before: return visit(self.u_before_);
     }
     throw std::logic_error("not a field");
   }
   template <class T>
   static void copy_in(Array<T>& array, std::span<const double> values) {
     if (values.size() != array.size()) throw std::logic_error("field of the wrong size");
-    array.upload(std::vector<T>(values.begin(), values.end()));
+    std::vector<T> copy(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) copy[i] = T(values[i]);
+    array.upload(copy);
   }
   template <class T>
   static void copy_out(Array<T>& array, std::span<double> values) {
     std::vector<T> copy(array.size());
     array.download(copy);
-    std::copy(copy.begin(), copy.end(), values.begin());
+    for (std::size_t i = 0; i < copy.size(); ++i) values[i] = double(copy[i]);
   }
 
   Exec exec_;
   const Discretisation& discretisation_;
   std::vector<BlockLaw> laws_;
   NodeSet<Exec> blocks_;
-  Array<Real> x_, u_, v_, load_, force_, kept_force_, inverse_mass_, stiffness_, corner_force_, partial_, warming_,
-      stress_;
+  Springs<Exec, Real> springs_;
+  Array<Real> x_, u_, v_, load_, force_, kept_force_, u_before_, inverse_mass_, stiffness_, corner_force_, partial_,
+      warming_, stress_;
   Array<std::uint8_t> fixed_;
   Array<double> chunk_sums_;
   BodyView<Real> body_;

@@ -1,0 +1,5 @@
+#pragma once
+#include <cmath>
+
+#include "backend/backend.hpp"
+#include "backend/node_set.hpp"
