@@ -1,6 +1,7 @@
 #include "model/loads.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "physics/gauss_table.hpp"
 
@@ -23,12 +24,9 @@ std::array<double, 8> volumes_of(const Mesh& mesh, int element) {
 /// Integral of N_k dV of one element, m^3.
 std::array<double, 8> element_corner_volumes(const Mesh& mesh, int element) {
   switch (mesh.shapes[element]) {
-    case Shape::hex8:
-      return volumes_of<Hex8<double>>(mesh, element);
-    case Shape::wedge6:
-      return volumes_of<Wedge6<double>>(mesh, element);
-    case Shape::tet4:
-      break;
+    case Shape::hex8: return volumes_of<Hex8<double>>(mesh, element);
+    case Shape::wedge6: return volumes_of<Wedge6<double>>(mesh, element);
+    case Shape::tet4: break;
   }
   return volumes_of<Tet4<double>>(mesh, element);
 }
@@ -202,6 +200,24 @@ ThermalBoundary thermal_boundary(const Mesh& mesh, std::span<const int> corners,
       boundary.fixed_temperature.push_back(*fixed[n]);
     }
   return boundary;
+}
+
+FilmMatrix film_matrix(std::span<const FilmFacet> films, std::span<const int> new_node) {
+  std::map<std::pair<int, int>, double> entries;
+  for (const FilmFacet& f : films)
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) entries[{new_node[f.nodes[i]], new_node[f.nodes[j]]}] += f.matrix[i][j];
+  FilmMatrix m;
+  for (const auto& [place, value] : entries) {
+    if (m.node.empty() || m.node.back() != place.first) {
+      m.node.push_back(place.first);
+      m.first.push_back(m.first.back());
+    }
+    m.column.push_back(place.second);
+    m.value.push_back(value);
+    ++m.first.back();
+  }
+  return m;
 }
 
 std::vector<double> lumped_capacity(const Model& model, std::span<const int> corners, int node_count) {

@@ -16,7 +16,7 @@ ASHLAR_HD void heat_flow(const V (&x)[3][Element::corners], const V (&temperatur
   typename Lines::Table through;
   const V zero = V(S(0));
   for (int g = 0; g < Element::gauss_points; ++g) Lines::put(through, g, {zero, zero, zero});
-#pragma GCC unroll 8
+  ASHLAR_UNROLL
   for (int g = 0; g < Element::gauss_points; ++g) {
     const Jacobian<V> j = geometry.jacobian_at(g);
     const V by_volume = conductivity / j.det;

@@ -91,7 +91,7 @@ ASHLAR_HD void corner_volumes(const V (&x)[3][Element::corners], V (&volumes)[El
   using S = Scalar<V>;
   const ElementGeometry<Element, V> geometry(x);
   for (int k = 0; k < Element::corners; ++k) volumes[k] = V(S(0));
-#pragma GCC unroll 8
+  ASHLAR_UNROLL
   for (int g = 0; g < Element::gauss_points; ++g) {
     const V volume = V(S(GaussTable<Element>::factor)) * geometry.jacobian_at(g).det;
     for (int k = 0; k < Element::corners; ++k) volumes[k] = fma(V(S(Element::shape(g, k))), volume, volumes[k]);

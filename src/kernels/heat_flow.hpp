@@ -1,0 +1,98 @@
+#pragma once
+#include "kernels/heat_view.hpp"
+#include "physics/conduction.hpp"
+
+/// Phase heat_flow: K T of the paper's (10), element by element, and the film on top. No matrix of the body is formed.
+namespace ashlar {
+
+/// Corner coordinates of one element, [component][corner].
+template <int corners, class Real>
+ASHLAR_HD void read_places(const HeatView<Real>& heat, const BatchView& batch, int i, Real (&x)[3][corners]) {
+  ASHLAR_UNROLL
+  for (int k = 0; k < corners; ++k)
+    for (int c = 0; c < 3; ++c) x[c][k] = heat.x[3 * heat.nodes.corner_node[batch.slot(i, corners, k)] + c];
+}
+
+/// A nodal field at the corners of one element.
+template <int corners, class Real>
+ASHLAR_HD void read_field(const NodeSetView& nodes, const BatchView& batch, int i, const Real* field,
+                          Real (&values)[corners]) {
+  ASHLAR_UNROLL
+  for (int k = 0; k < corners; ++k) values[k] = field[nodes.corner_node[batch.slot(i, corners, k)]];
+}
+
+/// One element -> heat leaving through its own corner slots.
+template <template <class> class Element, class Real>
+struct HeatFlow {
+  HeatView<Real> heat;
+  BatchView batch;
+  Real conductivity;
+  const Real* field;  ///< [nodes] temperature, or the search direction of conjugate gradients
+
+  ASHLAR_HD void operator()(int i) const {
+    constexpr int corners = Element<Real>::corners;
+    Real x[3][corners], temperature[corners], flow[corners];
+    read_places(heat, batch, i, x);
+    read_field(heat.nodes, batch, i, field, temperature);
+    heat_flow<Element<Real>>(x, temperature, conductivity, flow);
+    ASHLAR_UNROLL
+    for (int k = 0; k < corners; ++k) heat.corner[batch.slot(i, corners, k)] = flow[k];
+  }
+};
+
+/// One node with film -> adds what leaves through it to the conducted flow.
+template <class Real>
+struct FilmFlow {
+  HeatView<Real> heat;
+  const Real* field;  ///< [nodes]
+
+  ASHLAR_HD void operator()(int i) const {
+    Real sum = heat.flow[heat.film_node[i]];
+    for (int j = heat.film_first[i]; j < heat.film_first[i + 1]; ++j)
+      sum = fma(heat.film_value[j], field[heat.film_column[j]], sum);
+    heat.flow[heat.film_node[i]] = sum;
+  }
+};
+
+/// One element -> diagonal and absolute row sum of its conduction, in its corner slots (Gershgorin: their nodal sums
+/// bound the fastest rate). The columns are the flows of unit temperatures through the same routine.
+template <template <class> class Element, class Real>
+struct HeatBound {
+  HeatView<Real> heat;
+  BatchView batch;
+  Real conductivity;
+
+  ASHLAR_HD void operator()(int i) const {
+    constexpr int corners = Element<Real>::corners;
+    Real x[3][corners], unit[corners], flow[corners], diagonal[corners], row_sum[corners];
+    read_places(heat, batch, i, x);
+    for (int k = 0; k < corners; ++k) row_sum[k] = unit[k] = Real(0);
+    for (int k = 0; k < corners; ++k) {
+      unit[k] = Real(1);
+      heat_flow<Element<Real>>(x, unit, conductivity, flow);
+      unit[k] = Real(0);
+      diagonal[k] = flow[k];
+      for (int q = 0; q < corners; ++q) row_sum[q] += flow[q] < Real(0) ? -flow[q] : flow[q];
+    }
+    for (int k = 0; k < corners; ++k) {
+      heat.corner[2 * batch.slot(i, corners, k)] = diagonal[k];
+      heat.corner[2 * batch.slot(i, corners, k) + 1] = row_sum[k];
+    }
+  }
+};
+
+/// One node with film -> adds the film's diagonal and row sum (its entries are never negative).
+template <class Real>
+struct FilmBound {
+  HeatView<Real> heat;
+
+  ASHLAR_HD void operator()(int i) const {
+    const int node = heat.film_node[i];
+    for (int j = heat.film_first[i]; j < heat.film_first[i + 1]; ++j) {
+      if (heat.film_column[j] == node) heat.bound[2 * node] += heat.film_value[j];
+      heat.bound[2 * node + 1] += heat.film_value[j];
+    }
+  }
+};
+
+}  // namespace ashlar

@@ -1,0 +1,21 @@
+#pragma once
+#include "base/number.hpp"
+#include "kernels/heat_view.hpp"
+
+/// Phase step_heat: C dT/dt + K T = Q by forward Euler with lumped capacity (numerics 6).
+namespace ashlar {
+
+/// One node -> its temperature one step later; held nodes keep theirs.
+template <class Real>
+struct StepHeat {
+  HeatView<Real> heat;
+  Real time_step;  ///< s
+
+  ASHLAR_HD void operator()(int node) const {
+    if (heat.held[node]) return;
+    heat.temperature[node] =
+        fma(time_step * heat.inverse_capacity[node], heat.heat[node] - heat.flow[node], heat.temperature[node]);
+  }
+};
+
+}  // namespace ashlar
