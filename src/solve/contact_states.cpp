@@ -1,0 +1,43 @@
+#include "solve/contact_states.hpp"
+
+namespace ashlar {
+
+std::vector<ContactPoint> read_contacts(const Setup& setup, Backend& backend) {
+  const ContactPoints& c = setup.contacts;
+  const std::vector<int>& renumber = setup.discretisation.blocks.new_node;
+  const auto u = backend.read(Field::displacement), slip = backend.read(Field::slip),
+             state = backend.read(Field::contact_state);
+  std::vector<ContactPoint> points(c.count());
+  for (int i = 0; i < c.count(); ++i) {
+    ContactPoint& point = points[i];
+    const auto& law = setup.interface_laws[c.interface[i]];
+    const double* a = u.data() + 3 * renumber[c.node_a[i]];
+    const double* b = u.data() + 3 * renumber[c.node_b[i]];
+    point.state = static_cast<ContactState>(static_cast<int>(state[i]));
+    point.bonded = law.holds(point.state);
+    point.gap = split(Vec3<double>{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, c.normal[i]);
+    const auto answer = spring_traction(point.bonded, law.tan_friction,
+                                        SpringStiffness<double>{c.normal_stiffness[i], c.shear_stiffness[i]}, point.gap,
+                                        Vec3<double>{slip[3 * i], slip[3 * i + 1], slip[3 * i + 2]});
+    point.traction = answer.traction;
+    point.slip = answer.slip;
+  }
+  return points;
+}
+
+void fill_contact_fields(const std::vector<ContactPoint>& points, Snapshot& snapshot) {
+  snapshot.opening.clear();
+  snapshot.slip.clear();
+  snapshot.normal_traction.clear();
+  snapshot.shear_traction.clear();
+  snapshot.contact_state.clear();
+  for (const auto& point : points) {
+    snapshot.opening.push_back(point.gap.normal);
+    snapshot.slip.push_back(norm(point.gap.shear));
+    snapshot.normal_traction.push_back(point.traction.normal);
+    snapshot.shear_traction.push_back(norm(point.traction.shear));
+    snapshot.contact_state.push_back(static_cast<std::uint8_t>(point.state));
+  }
+}
+
+}  // namespace ashlar

@@ -1,0 +1,27 @@
+#pragma once
+#include <vector>
+
+#include "backend/backend.hpp"
+#include "solve/observer.hpp"
+
+/// Contact points as they are at a moment, read back from the machine.
+namespace ashlar {
+
+/// One contact point; gap and traction split along its normal, tension and opening positive.
+struct ContactPoint {
+  Split<double> gap;       ///< m, u_b - u_a
+  Split<double> traction;  ///< Pa, on side a
+  Vec3<double> slip;       ///< m
+  ContactState state = ContactState::intact;
+  bool bonded = false;  ///< carries tension
+  /// Whether the sides hold each other: bonded, or pressed together.
+  bool joined() const { return bonded || gap.normal <= 0; }
+};
+
+/// [contact points], in their order.
+std::vector<ContactPoint> read_contacts(const Setup& setup, Backend& backend);
+
+/// Opening, slip, tractions and state of a snapshot.
+void fill_contact_fields(const std::vector<ContactPoint>& points, Snapshot& snapshot);
+
+}  // namespace ashlar

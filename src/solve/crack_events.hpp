@@ -1,0 +1,54 @@
+#pragma once
+#include <vector>
+
+#include "model/model.hpp"
+#include "solve/contact_states.hpp"
+#include "solve/result.hpp"
+
+/// Breaking contact points at converged states, and the account of it (numerics 5, crack events).
+namespace ashlar {
+
+/// Members of the group that breaks together use at least this share of what the worst one uses.
+inline constexpr double worst_group_share = 0.999;
+
+class CrackEvents {
+ public:
+  CrackEvents(const Model& model, const Setup& setup, Backend& backend);
+
+  /// Share of its strength that the worst contact point uses at the present, converged state; 0 where nothing can
+  /// break.
+  double largest_utilisation();
+
+  /// Cracks the worst group at the present, converged state, which has to use its strength, and tells what broke.
+  CrackEvent break_worst_group(double load_factor);
+
+  /// Books the friction work since the last call: traction now times slip since then. To be called at every equilibrium
+  /// that is kept, so that overshoot inside a relaxation does not count.
+  void book_sliding();
+  /// Sets the account of dissipated energy to zero and takes the present state as its start.
+  void start_account();
+
+  /// J, since start_account: friction work, and spring energy set free by cracking beyond what friction takes over.
+  double dissipated_energy() const { return dissipated_; }
+
+  /// Cracked area in all and by direction, dissipated energy.
+  void fill(StageResult& result);
+
+  /// Share of the contact points with a strength that have cracked.
+  double cracked_fraction();
+
+ private:
+  const Model& model_;
+  const Setup& setup_;
+  Backend& backend_;
+  bool breakable_ = false;
+  bool slides_ = false;
+  std::vector<Vec3<double>> booked_slip_;
+  double dissipated_ = 0;
+};
+
+/// Direction of a crack by its normal: "horizontal" within 30 degrees of z, "vertical" within 30 degrees of the
+/// horizontal plane, else "inclined".
+const char* crack_direction(const Vec3<double>& normal);
+
+}  // namespace ashlar

@@ -1,0 +1,51 @@
+#include "solve/problem.hpp"
+
+#include "physics/interface_laws/interface_laws.hpp"
+
+namespace ashlar {
+
+namespace {
+
+std::vector<int> material_indices(const Model& model) {
+  std::vector<int> indices;
+  for (const Material* material : materials_by_region(model)) indices.push_back(static_cast<int>(material - model.materials.data()));
+  return indices;
+}
+
+std::unique_ptr<Backend> make_backend(const Problem& problem, const RunOptions& options) {
+  Setup setup{problem.discretisation, problem.contacts, {}, {}};
+  for (const Material& m : problem.model.materials) setup.laws.push_back(make_block_law(m.law, m.values));
+  for (const Interface& i : problem.model.interfaces) {
+    const std::string what = std::string(i.crackable ? "crackable" : "joint") + " '" + i.name + "'";
+    setup.interface_laws.push_back(interface_constants(i.law, i.values, i.where, what).law);
+  }
+  return make_cpu_backend(setup, options.precision, options.threads);
+}
+
+}  // namespace
+
+Problem::Problem(const Model& m, const RunOptions& options)
+    : model(m),
+      blocks(split_blocks(m, find_faces(m.mesh))),
+      contacts(place_contacts(m, blocks)),
+      discretisation(discretise(m.mesh, blocks, material_indices(m),
+                                options.precision == Precision::double_precision ? patch_size_double : patch_size_single)),
+      backend(make_backend(*this, options)) {}
+
+std::vector<double> Problem::to_machine(const std::vector<double>& block_order, int width) const {
+  std::vector<double> machine(block_order.size());
+  const std::vector<int>& new_node = discretisation.blocks.new_node;
+  for (std::size_t n = 0; n < new_node.size(); ++n)
+    for (int c = 0; c < width; ++c) machine[width * new_node[n] + c] = block_order[width * n + c];
+  return machine;
+}
+
+std::vector<double> Problem::to_blocks(const std::vector<double>& machine_order, int width) const {
+  std::vector<double> block(machine_order.size());
+  const std::vector<int>& new_node = discretisation.blocks.new_node;
+  for (std::size_t n = 0; n < new_node.size(); ++n)
+    for (int c = 0; c < width; ++c) block[width * n + c] = machine_order[width * new_node[n] + c];
+  return block;
+}
+
+}  // namespace ashlar

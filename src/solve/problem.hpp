@@ -1,0 +1,34 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "backend/backend.hpp"
+#include "model/blocks.hpp"
+#include "model/conditions.hpp"
+#include "model/discretisation.hpp"
+#include "model/model.hpp"
+
+/// A model made ready to run: blocks split, springs placed, everything in the machine's order.
+namespace ashlar {
+
+struct RunOptions {
+  Precision precision = Precision::double_precision;
+  int threads = 0;  ///< 0: all cores
+};
+
+struct Problem {
+  const Model& model;
+  Blocks blocks;
+  ContactPoints contacts;
+  Discretisation discretisation;
+  std::unique_ptr<Backend> backend;
+
+  /// `model` has its mesh and outlives the problem. Throws DeckError.
+  Problem(const Model& model, const RunOptions& options);
+
+  /// Vectors of `width` numbers per block node, between the order of Blocks and the machine's.
+  std::vector<double> to_machine(const std::vector<double>& block_order, int width) const;
+  std::vector<double> to_blocks(const std::vector<double>& machine_order, int width) const;
+};
+
+}  // namespace ashlar

@@ -1,0 +1,103 @@
+#include "solve/relaxation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ashlar {
+
+namespace {
+
+constexpr long sum_interval = 10;             // steps between two looks at the sums
+constexpr double most_damping = 1.9;          // bound of the viscous coefficient of one step
+constexpr double local_alpha = 0.8;           // Cundall's usual value
+constexpr double viscous_default = 0.02;
+
+double alpha_of(const Relaxation& r) {
+  if (r.damping != Damping::local) return 0;
+  return r.damping_value > 0 ? r.damping_value : local_alpha;
+}
+
+/// Coefficient near critical damping of the lowest mode that still moves (Underwood 1983, in the incremental form that stays
+/// valid after prestress).
+double adaptive_damping(const RelaxationMeasure& m) {
+  if (m.motion <= 0 || m.curvature <= 0) return 0;
+  return std::min(2 * std::sqrt(m.curvature / m.motion), most_damping);
+}
+
+double force_ratio(const RelaxationMeasure& m, double thermal_load) {
+  const double scale = std::max({m.load, m.reaction, thermal_load});
+  if (scale > 0) return m.unbalanced / scale;
+  return m.unbalanced > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void set_virtual_mass(Backend& backend, const Relaxation& relaxation) {
+  backend.run(Phase::stiffness_bound);
+  std::vector<double> inverse_mass = backend.read(Field::stiffness);
+  const double factor = 1.05 * (1 + alpha_of(relaxation)) / 4 / (relaxation.step_factor * relaxation.step_factor);
+  for (double& m : inverse_mass) m = 1 / (factor * m);
+  backend.write(Field::inverse_mass, inverse_mass);
+}
+
+void evaluate_force(Backend& backend) {
+  backend.run(Phase::block_force);
+  backend.run(Phase::gather_force);
+  backend.run(Phase::spring_force);
+}
+
+double thermal_load_norm(Backend& backend) {
+  const std::vector<double> displacement = backend.read(Field::displacement);
+  backend.write(Field::displacement, std::vector<double>(displacement.size(), 0.0));
+  backend.run(Phase::block_force);
+  backend.run(Phase::gather_force);
+  backend.write(Field::displacement, displacement);
+  double sum = 0;
+  for (const double f : backend.read(Field::force)) sum += f * f;
+  return std::sqrt(sum);
+}
+
+Equilibrium relax(Backend& backend, const Relaxation& relaxation, double thermal_load, const RelaxationWatch& watch) {
+  backend.write(Field::velocity, std::vector<double>(backend.size(Field::velocity), 0.0));
+  Controls controls;
+  controls.local_damping = alpha_of(relaxation);
+  if (relaxation.damping == Damping::viscous)
+    controls.viscous_damping = relaxation.damping_value > 0 ? relaxation.damping_value : viscous_default;
+  const long limit = relaxation.max_steps > 0 ? relaxation.max_steps : 1000000;
+
+  Equilibrium result;
+  double peak_kinetic = 0;
+  for (long step = 1;; ++step) {
+    evaluate_force(backend);
+    if (step % sum_interval == sum_interval - 1) backend.run(Phase::keep_force);
+    if (step % sum_interval == 0) {
+      const RelaxationMeasure m = backend.relaxation_sums();
+      result.steps = step;
+      result.ratio = force_ratio(m, thermal_load);
+      if (!std::isfinite(m.kinetic) || !std::isfinite(result.ratio)) {
+        result.stop_reason = "not finite";
+        return result;
+      }
+      peak_kinetic = std::max(peak_kinetic, m.kinetic);
+      const double energy = std::max({peak_kinetic, std::abs(m.load_work), 0.5 * std::abs(m.force_work)});
+      if (result.ratio <= relaxation.tolerance && m.kinetic <= relaxation.tolerance * relaxation.tolerance * energy) {
+        result.converged = true;
+        result.stop_reason = "converged";
+        return result;
+      }
+      if (step >= limit) {
+        result.stop_reason = "step limit";
+        return result;
+      }
+      if (watch && watch(step, result.ratio)) {
+        result.interrupted = true;
+        result.stop_reason = "interrupted";
+        return result;
+      }
+      if (relaxation.damping == Damping::adaptive) controls.viscous_damping = adaptive_damping(m);
+    }
+    backend.run(Phase::move_nodes, controls);
+  }
+}
+
+}  // namespace ashlar
