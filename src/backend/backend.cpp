@@ -15,6 +15,14 @@ const char* phase_name(Phase phase) {
     case Phase::spring_utilisation: return "spring_utilisation";
     case Phase::spring_crossing: return "spring_crossing";
     case Phase::break_springs: return "break_springs";
+    case Phase::heat_flow: return "heat_flow";
+    case Phase::step_heat: return "step_heat";
+    case Phase::heat_bound: return "heat_bound";
+    case Phase::start_search: return "start_search";
+    case Phase::search_flow: return "search_flow";
+    case Phase::advance_search: return "advance_search";
+    case Phase::turn_search: return "turn_search";
+    case Phase::gauss_temperature: return "gauss_temperature";
     case Phase::count: break;
   }
   return "?";

@@ -7,6 +7,7 @@
 
 #include "model/blocks.hpp"
 #include "model/discretisation.hpp"
+#include "model/loads.hpp"
 #include "physics/interface_laws/spring.hpp"
 #include "physics/laws/laws.hpp"
 
@@ -27,6 +28,14 @@ enum class Phase : std::uint8_t {
   spring_crossing,     ///< where between Field::displacement_before and now it reached its strength, into
                        ///< Field::utilisation
   break_springs,       ///< cracks contact points at or above Controls::break_threshold
+  heat_flow,           ///< conduction and film at the present temperature, into Field::heat_flow
+  step_heat,           ///< temperature after Controls::time_step, held nodes kept
+  heat_bound,          ///< diagonal and row sums of conduction and film, into Field::heat_bound
+  start_search,        ///< steady stages: residual from Field::heat_flow, first direction of conjugate gradients
+  search_flow,         ///< conduction and film of the direction
+  advance_search,      ///< temperature moved by Controls::search_length along the direction
+  turn_search,         ///< next direction, keeping Controls::search_keep of the last
+  gauss_temperature,   ///< Field::warming from the present temperature
   count
 };
 const char* phase_name(Phase phase);
@@ -46,6 +55,12 @@ enum class Field : std::uint8_t {
   contact_state,        ///< [contact points] ContactState as a number
   utilisation,          ///< [contact points] 1: at its strength
   displacement_before,  ///< [3 * block nodes] m, start of the way that spring_crossing looks at
+  temperature,          ///< [mesh nodes] degC
+  heat,                 ///< [mesh nodes] W into the body: flux, and film times ambient
+  inverse_capacity,     ///< [mesh nodes] K/J
+  held,                 ///< [mesh nodes] 1: temperature is given
+  heat_flow,            ///< [mesh nodes] W leaving each node by conduction and film
+  heat_bound,           ///< [2 * mesh nodes] W/K, diagonal and absolute row sum of conduction and film
 };
 
 /// Numbers that a step needs from the solver.
@@ -53,6 +68,9 @@ struct Controls {
   double local_damping = 0;    ///< Cundall's alpha
   double viscous_damping = 0;  ///< c of one unit step, < 2
   double break_threshold = 1;  ///< share of strength
+  double time_step = 0;        ///< s
+  double search_length = 0;    ///< conjugate gradients: alpha
+  double search_keep = 0;      ///< conjugate gradients: beta
 };
 
 struct RelaxationMeasure {
@@ -66,12 +84,21 @@ struct RelaxationMeasure {
   double motion = 0;      ///< v . m v
 };
 
+/// Sums over nodes that are not held.
+struct HeatMeasure {
+  double residual = 0;        ///< |residual|, W
+  double preconditioned = 0;  ///< residual . residual / diagonal, W K
+  double along = 0;           ///< direction . Field::heat_flow, W K
+};
+
 /// What a backend is built from. The model's laws by material; everything is copied to the machine.
 struct Setup {
   const Discretisation& discretisation;
   const ContactPoints& contacts;                  ///< block nodes numbered as in Blocks
   std::vector<BlockLaw> laws;                     ///< [materials]
   std::vector<SpringLaw<double>> interface_laws;  ///< [interfaces]
+  std::vector<double> conductivity{};             ///< [materials] W/(m K); empty: no thermal stages
+  double reference_temperature = 0;               ///< degC
 };
 
 class Backend {
@@ -80,6 +107,9 @@ class Backend {
   virtual std::string name() const = 0;
   virtual void run(Phase phase, const Controls& controls = {}) = 0;
   virtual RelaxationMeasure relaxation_sums() = 0;
+  virtual HeatMeasure heat_sums() = 0;
+  /// Exchange with the surroundings, nodes numbered as on the machine.
+  virtual void write_films(const FilmMatrix& films) = 0;
   virtual std::size_t size(Field field) const = 0;
   virtual void write(Field field, std::span<const double> values) = 0;
   virtual void read(Field field, std::span<double> values) = 0;

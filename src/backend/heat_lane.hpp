@@ -1,5 +1,148 @@
 #pragma once
 #include <cmath>
+#include <vector>
 
 #include "backend/backend.hpp"
 #include "backend/node_set.hpp"
+#include "kernels/gather.hpp"
+#include "kernels/heat_flow.hpp"
+#include "kernels/heat_gauss.hpp"
+#include "kernels/heat_search.hpp"
+#include "kernels/heat_step.hpp"
+#include "kernels/relaxation_sums.hpp"
+
+namespace ashlar {
+
+/// The thermal lane in a machine's memory and its phases; shares nothing with the mechanical lane but the Gauss-point
+/// warming that it hands over.
+template <class Exec, class Real>
+class HeatLane {
+ public:
+  explicit HeatLane(const Setup& setup)
+      : discretisation_(setup.discretisation),
+        conductivity_(setup.conductivity),
+        reference_(Real(setup.reference_temperature)),
+        nodes_(setup.discretisation.heat) {
+    const Discretisation& d = discretisation_;
+    conductivity_.resize(setup.laws.size());
+    const std::size_t nodes = d.heat.node_count;
+    std::vector<Real> x(3 * nodes);
+    for (std::size_t n = 0; n < nodes; ++n)
+      for (int c = 0; c < 3; ++c) x[3 * n + c] = Real(d.heat_points[n][c]);
+    x_.assign(x);
+    for (auto* a : {&temperature, &heat, &inverse_capacity, &flow, &residual_, &direction_}) a->resize(nodes);
+    held.resize(nodes);
+    bound.resize(2 * nodes);
+    corner_.resize(2 * std::size_t(d.slot_count));
+    partial_.resize(2 * std::size_t(d.heat.entry_count()));
+    chunk_sums_.resize(heat_sum_count * std::size_t(chunks()));
+    view_ = {.nodes = nodes_.view(),
+             .x = x_.data(),
+             .temperature = temperature.data(),
+             .heat = heat.data(),
+             .inverse_capacity = inverse_capacity.data(),
+             .held = held.data(),
+             .flow = flow.data(),
+             .corner = corner_.data(),
+             .partial = partial_.data(),
+             .bound = bound.data(),
+             .residual = residual_.data(),
+             .direction = direction_.data()};
+  }
+
+  void write_films(const FilmMatrix& films) {
+    film_node_.assign(films.node);
+    film_first_.assign(films.first);
+    film_column_.assign(films.column);
+    film_value_.assign(std::vector<Real>(films.value.begin(), films.value.end()));
+    view_.film_node_count = static_cast<int>(films.node.size());
+    view_.film_node = film_node_.data();
+    view_.film_first = film_first_.data();
+    view_.film_column = film_column_.data();
+    view_.film_value = film_value_.data();
+  }
+
+  void find_flow(Exec& exec) { find_flow_of(exec, view_.temperature); }
+  void find_search_flow(Exec& exec) { find_flow_of(exec, view_.direction); }
+  void step(Exec& exec, double time_step) { exec.for_each(node_count(), StepHeat<Real>{view_, Real(time_step)}); }
+  void find_bound(Exec& exec) {
+    each_batch([&](auto element, const BatchView& batch, Real conductivity) {
+      exec.for_each(batch.element_count, typename decltype(element)::Bound{view_, batch, conductivity});
+    });
+    gather<2>(exec, view_.bound);
+    exec.for_each(view_.film_node_count, FilmBound<Real>{view_});
+  }
+  void start_search(Exec& exec) { exec.for_each(node_count(), StartSearch<Real>{view_}); }
+  void advance_search(Exec& exec, double length) {
+    exec.for_each(node_count(), AdvanceSearch<Real>{view_, Real(length)});
+  }
+  void turn_search(Exec& exec, double keep) { exec.for_each(node_count(), TurnSearch<Real>{view_, Real(keep)}); }
+  HeatMeasure sums(Exec& exec) {
+    exec.for_each(chunks(), HeatSums<Real>{view_, chunk_nodes, chunk_sums_.data()});
+    std::vector<double> parts(chunk_sums_.size());
+    chunk_sums_.download(parts);
+    double s[heat_sum_count] = {};
+    for (std::size_t i = 0; i < parts.size(); ++i) s[i % heat_sum_count] += parts[i];
+    return {std::sqrt(s[sum_residual]), s[sum_preconditioned], s[sum_along]};
+  }
+  void warm_gauss_points(Exec& exec, Real* warming) {
+    each_batch([&](auto element, const BatchView& batch, Real) {
+      exec.for_each(batch.element_count, typename decltype(element)::Gauss{view_, batch, reference_, warming});
+    });
+  }
+
+ private:
+  template <class T>
+  using Array = typename Exec::template Array<T>;
+  /// The kernels of one element type.
+  template <template <class> class E>
+  struct KernelsOf {
+    using Flow = HeatFlow<E, Real>;
+    using Bound = HeatBound<E, Real>;
+    using Gauss = GaussTemperature<E, Real>;
+  };
+
+  int node_count() const { return view_.nodes.node_count; }
+  int chunks() const { return (discretisation_.heat.node_count + chunk_nodes - 1) / chunk_nodes; }
+
+  /// Calls work(kernels, batch, conductivity) for every batch.
+  template <class Work>
+  void each_batch(Work work) const {
+    for (const Batch& b : discretisation_.batches) {
+      const BatchView batch{b.element_count, b.first_slot, b.first_gauss};
+      const Real conductivity = Real(conductivity_[b.material]);
+      switch (b.shape) {
+        case Shape::hex8: work(KernelsOf<Hex8>{}, batch, conductivity); break;
+        case Shape::wedge6: work(KernelsOf<Wedge6>{}, batch, conductivity); break;
+        case Shape::tet4: work(KernelsOf<Tet4>{}, batch, conductivity); break;
+      }
+    }
+  }
+  template <int width>
+  void gather(Exec& exec, Real* sum) {
+    exec.for_each(view_.nodes.entry_count, GatherPatch<Real, width>{view_.nodes, view_.corner, view_.partial, sum});
+    exec.for_each(discretisation_.heat.boundary_count(), GatherBoundary<Real, width>{view_.nodes, view_.partial, sum});
+  }
+  void find_flow_of(Exec& exec, const Real* field) {
+    each_batch([&](auto element, const BatchView& batch, Real conductivity) {
+      exec.for_each(batch.element_count, typename decltype(element)::Flow{view_, batch, conductivity, field});
+    });
+    gather<1>(exec, view_.flow);
+    exec.for_each(view_.film_node_count, FilmFlow<Real>{view_, field});
+  }
+
+  const Discretisation& discretisation_;
+  std::vector<double> conductivity_;
+  Real reference_;
+  NodeSet<Exec> nodes_;
+  Array<Real> x_, residual_, direction_, corner_, partial_, film_value_;
+  Array<int> film_node_, film_first_, film_column_;
+  Array<double> chunk_sums_;
+  HeatView<Real> view_;
+
+ public:
+  Array<Real> temperature, heat, inverse_capacity, flow, bound;
+  Array<std::uint8_t> held;
+};
+
+}  // namespace ashlar

@@ -3,6 +3,8 @@
 #include <stdexcept>
 
 #include "backend/backend.hpp"
+#include "backend/heat_lane.hpp"
+#include "backend/node_set.hpp"
 #include "kernels/block_force.hpp"
 #include "kernels/gather.hpp"
 #include "kernels/move_nodes.hpp"
@@ -19,44 +21,6 @@
 ///   block_forces(...): the machine's fastest driver of the element routine (see cpu.cpp), same bits as BlockForce +
 ///   GatherPatch
 namespace ashlar {
-
-/// Node set arrays in a machine's memory.
-template <class Exec>
-class NodeSet {
- public:
-  explicit NodeSet(const Topology& t) {
-    corner_node_.assign(t.corner_node);
-    corner_entry_.assign(t.corner_entry);
-    patch_first_entry_.assign(t.patch_first_entry);
-    patch_interior_.assign(t.patch_interior);
-    entry_node_.assign(t.entry_node);
-    entry_first_slot_.assign(t.entry_first_slot);
-    entry_slot_.assign(t.entry_slot);
-    boundary_first_.assign(t.boundary_first);
-    boundary_entry_.assign(t.boundary_entry);
-    view_.node_count = t.node_count;
-    view_.interior_count = t.interior_count;
-    view_.entry_count = t.entry_count();
-    view_.corner_node = corner_node_.data();
-    view_.corner_entry = corner_entry_.data();
-    view_.patch_first_entry = patch_first_entry_.data();
-    view_.patch_interior = patch_interior_.data();
-    view_.entry_node = entry_node_.data();
-    view_.entry_first_slot = entry_first_slot_.data();
-    view_.entry_slot = entry_slot_.data();
-    view_.boundary_first = boundary_first_.data();
-    view_.boundary_entry = boundary_entry_.data();
-  }
-  const NodeSetView& view() const { return view_; }
-
- private:
-  template <class T>
-  using Array = typename Exec::template Array<T>;
-  Array<int> corner_node_, patch_first_entry_, patch_interior_, entry_node_, entry_first_slot_, entry_slot_,
-      boundary_first_, boundary_entry_;
-  Array<std::uint16_t> corner_entry_;
-  NodeSetView view_;
-};
 
 /// Springs in a machine's memory, block nodes renumbered.
 template <class Exec, class Real>
@@ -143,7 +107,8 @@ class Phases final : public Backend {
         discretisation_(setup.discretisation),
         laws_(setup.laws),
         blocks_(setup.discretisation.blocks),
-        springs_(setup) {
+        springs_(setup),
+        heat_(setup) {
     const Discretisation& d = setup.discretisation;
     const std::size_t nodes = d.blocks.node_count;
     std::vector<Real> x(3 * nodes);
@@ -197,6 +162,14 @@ class Phases final : public Backend {
       case Phase::break_springs:
         return exec_.for_each(contact_count(),
                               BreakSprings<Real>{springs_.view(), body_.u, Real(controls.break_threshold)});
+      case Phase::heat_flow: return heat_.find_flow(exec_);
+      case Phase::step_heat: return heat_.step(exec_, controls.time_step);
+      case Phase::heat_bound: return heat_.find_bound(exec_);
+      case Phase::start_search: return heat_.start_search(exec_);
+      case Phase::search_flow: return heat_.find_search_flow(exec_);
+      case Phase::advance_search: return heat_.advance_search(exec_, controls.search_length);
+      case Phase::turn_search: return heat_.turn_search(exec_, controls.search_keep);
+      case Phase::gauss_temperature: return heat_.warm_gauss_points(exec_, warming_.data());
       case Phase::count: break;
     }
     throw std::logic_error("not a phase");
@@ -217,6 +190,9 @@ class Phases final : public Backend {
             s[sum_curvature],
             s[sum_motion]};
   }
+
+  HeatMeasure heat_sums() override { return heat_.sums(exec_); }
+  void write_films(const FilmMatrix& films) override { heat_.write_films(films); }
 
   std::size_t size(Field field) const override {
     return visit_field(*this, field, [](const auto& array) { return array.size(); });
@@ -322,6 +298,12 @@ class Phases final : public Backend {
       case Field::contact_state: return visit(self.springs_.state);
       case Field::utilisation: return visit(self.springs_.utilisation);
       case Field::displacement_before: return visit(self.u_before_);
+      case Field::temperature: return visit(self.heat_.temperature);
+      case Field::heat: return visit(self.heat_.heat);
+      case Field::inverse_capacity: return visit(self.heat_.inverse_capacity);
+      case Field::held: return visit(self.heat_.held);
+      case Field::heat_flow: return visit(self.heat_.flow);
+      case Field::heat_bound: return visit(self.heat_.bound);
     }
     throw std::logic_error("not a field");
   }
@@ -344,6 +326,7 @@ class Phases final : public Backend {
   std::vector<BlockLaw> laws_;
   NodeSet<Exec> blocks_;
   Springs<Exec, Real> springs_;
+  HeatLane<Exec, Real> heat_;
   Array<Real> x_, u_, v_, load_, force_, kept_force_, u_before_, inverse_mass_, stiffness_, corner_force_, partial_,
       warming_, stress_;
   Array<std::uint8_t> fixed_;
