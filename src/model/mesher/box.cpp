@@ -4,6 +4,14 @@
 
 namespace ashlar {
 
+void check_cell_count(const Where& where, const std::string& what, int nx, int ny, int nz) {
+  constexpr double most = 4e7;  // six tetrahedra of each still have corner numbers below 2^31
+  const double cells = static_cast<double>(nx) * ny * nz;
+  if (cells > most)
+    throw DeckError(where, what + " would have " + std::to_string(nx) + " x " + std::to_string(ny) + " x " +
+                               std::to_string(nz) + " cells, more than 40 million; make the elements larger");
+}
+
 Lattice mesh_box(const Box& box) {
   constexpr const char* axis_names[] = {"x", "y", "z"};
   Complaints complaints;
@@ -18,6 +26,7 @@ Lattice mesh_box(const Box& box) {
                                     std::to_string(box.cells[a]));
   }
   complaints.raise();
+  check_cell_count(box.where, "box '" + box.name + "'", box.cells[0], box.cells[1], box.cells[2]);
 
   Lattice lattice{box.cells[0], box.cells[1], box.cells[2], {}, box.shape, false};
   const auto coordinate = [&](int axis, int i) {

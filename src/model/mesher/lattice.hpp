@@ -24,6 +24,9 @@ struct Lattice {
   }
 };
 
+/// Throws DeckError where a mesh would have more cells than this program can number, before memory is asked for them.
+void check_cell_count(const Where& where, const std::string& what, int nx, int ny, int nz);
+
 /// Uniform cells. Throws DeckError: no extent along an axis, no cells, numbers that are not finite.
 Lattice mesh_box(const Box& box);
 

@@ -64,16 +64,12 @@ void add_cells(Mesh& mesh, const Lattice& lattice, const std::vector<int>& node,
         Hex hex = lattice.cell(i, j, k);
         for (int& corner : hex) corner = node[corner];
         switch (lattice.shape) {
-          case Shape::hex8:
-            mesh.add_element(Shape::hex8, hex, region, ++source_id);
-            break;
+          case Shape::hex8: mesh.add_element(Shape::hex8, hex, region, ++source_id); break;
           case Shape::wedge6:
             if (lattice.wedges_along_y) hex = turned_to_section(hex, diagonal_start(mesh, hex));
             add_wedges(mesh, hex, region, source_id);
             break;
-          case Shape::tet4:
-            add_tetrahedra(mesh, hex, region, source_id);
-            break;
+          case Shape::tet4: add_tetrahedra(mesh, hex, region, source_id); break;
         }
       }
 }

@@ -1,0 +1,26 @@
+#pragma once
+#include <vector>
+
+#include "model/mesher/lattice.hpp"
+#include "model/mesher/section_graph.hpp"
+#include "model/mesher/strips.hpp"
+
+namespace ashlar {
+
+/// The points of one section: columns along its side 0, rows along its side 1.
+struct SectionGrid {
+  int columns = 0, rows = 0;       ///< cells
+  std::vector<PlanePoint> points;  ///< [(columns + 1) (rows + 1)], column fastest
+};
+
+/// Transfinite interpolation between the divided sides. Throws DeckError if a cell folds: no logical quad.
+SectionGrid fill_section(const SectionGraph& graph, const Section& section, const EdgePoints& edges);
+
+/// Planes along y of every extrude: extrudes that share a vertex of the section and touch along y have common planes
+/// where they run side by side; the finest `size` (or, before that, the most `layers`) decides.
+std::vector<std::vector<double>> layer_planes(const SectionGraph& graph);
+
+/// All extrudes, meshed so that they conform where their sections share edges; one lattice each, in the given order.
+std::vector<Lattice> mesh_extrudes(const std::vector<Extrude>& extrudes);
+
+}  // namespace ashlar
