@@ -1,6 +1,14 @@
 #include "backend/backend.hpp"
 
+#include <chrono>
+
 namespace ashlar {
+
+void Backend::run(Phase phase, const Controls& controls) {
+  const auto start = std::chrono::steady_clock::now();
+  run_phase(phase, controls);
+  seconds_[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 const char* phase_name(Phase phase) {
   switch (phase) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -105,7 +106,10 @@ class Backend {
  public:
   virtual ~Backend() = default;
   virtual std::string name() const = 0;
-  virtual void run(Phase phase, const Controls& controls = {}) = 0;
+  /// Runs one phase to its end and books its wall time.
+  void run(Phase phase, const Controls& controls = {});
+  /// Seconds spent in a phase since the backend was made.
+  double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
   virtual RelaxationMeasure relaxation_sums() = 0;
   virtual HeatMeasure heat_sums() = 0;
   /// Exchange with the surroundings, nodes numbered as on the machine.
@@ -121,6 +125,10 @@ class Backend {
     read(field, values);
     return values;
   }
+
+ private:
+  virtual void run_phase(Phase phase, const Controls& controls) = 0;
+  std::array<double, static_cast<std::size_t>(Phase::count)> seconds_{};
 };
 
 enum class Precision { double_precision, single_precision };

@@ -142,7 +142,7 @@ class Phases final : public Backend {
   std::string name() const override { return exec_.name(); }
   void use_warming(bool on) override { warm_ = on; }
 
-  void run(Phase phase, const Controls& controls) override {
+  void run_phase(Phase phase, const Controls& controls) override {
     switch (phase) {
       case Phase::block_force: return each_batch([&](auto element, auto law, int b) { block_force(element, law, b); });
       case Phase::gather_force: return gather_boundary(body_.force);

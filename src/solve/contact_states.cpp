@@ -1,16 +1,24 @@
 #include "solve/contact_states.hpp"
 
+#include "physics/interface_laws/interface_laws.hpp"
+
 namespace ashlar {
 
-std::vector<ContactPoint> read_contacts(const Setup& setup, Backend& backend) {
-  const ContactPoints& c = setup.contacts;
-  const std::vector<int>& renumber = setup.discretisation.blocks.new_node;
+ContactReader::ContactReader(const Problem& problem) : problem_(problem) {
+  for (const Interface& i : problem.model.interfaces)
+    laws_.push_back(interface_constants(i.law, i.values, i.where, "'" + i.name + "'").law);
+}
+
+std::vector<ContactPoint> ContactReader::read() const {
+  const ContactPoints& c = problem_.contacts;
+  const std::vector<int>& renumber = problem_.discretisation.blocks.new_node;
+  Backend& backend = *problem_.backend;
   const auto u = backend.read(Field::displacement), slip = backend.read(Field::slip),
              state = backend.read(Field::contact_state);
   std::vector<ContactPoint> points(c.count());
   for (int i = 0; i < c.count(); ++i) {
     ContactPoint& point = points[i];
-    const auto& law = setup.interface_laws[c.interface[i]];
+    const auto& law = laws_[c.interface[i]];
     const double* a = u.data() + 3 * renumber[c.node_a[i]];
     const double* b = u.data() + 3 * renumber[c.node_b[i]];
     point.state = static_cast<ContactState>(static_cast<int>(state[i]));

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "backend/backend.hpp"
 #include "solve/observer.hpp"
+#include "solve/problem.hpp"
 
 /// Contact points as they are at a moment, read back from the machine.
 namespace ashlar {
@@ -18,8 +18,18 @@ struct ContactPoint {
   bool joined() const { return bonded || gap.normal <= 0; }
 };
 
-/// [contact points], in their order.
-std::vector<ContactPoint> read_contacts(const Setup& setup, Backend& backend);
+/// Reads contact points in their order.
+class ContactReader {
+ public:
+  explicit ContactReader(const Problem& problem);
+  std::vector<ContactPoint> read() const;  ///< [contact points]
+  /// Law of a contact point.
+  const SpringLaw<double>& law(int contact) const { return laws_[problem_.contacts.interface[contact]]; }
+
+ private:
+  const Problem& problem_;
+  std::vector<SpringLaw<double>> laws_;  ///< [interfaces]
+};
 
 /// Opening, slip, tractions and state of a snapshot.
 void fill_contact_fields(const std::vector<ContactPoint>& points, Snapshot& snapshot);

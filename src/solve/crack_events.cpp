@@ -5,11 +5,10 @@
 
 namespace ashlar {
 
-CrackEvents::CrackEvents(const Model& model, const Setup& setup, Backend& backend)
-    : model_(model), setup_(setup), backend_(backend) {
-  for (const int i : setup.contacts.interface) {
-    breakable_ = breakable_ || setup.interface_laws[i].breakable;
-    slides_ = slides_ || !setup.interface_laws[i].bonded;
+CrackEvents::CrackEvents(const Problem& problem) : problem_(problem), contacts_(problem) {
+  for (int c = 0; c < problem.contacts.count(); ++c) {
+    breakable_ = breakable_ || contacts_.law(c).breakable;
+    slides_ = slides_ || !contacts_.law(c).bonded;
   }
   slides_ = slides_ || breakable_;
   start_account();
@@ -17,27 +16,27 @@ CrackEvents::CrackEvents(const Model& model, const Setup& setup, Backend& backen
 
 double CrackEvents::largest_utilisation() {
   if (!breakable_) return 0;
-  backend_.run(Phase::spring_utilisation);
-  const auto used = backend_.read(Field::utilisation);
+  problem_.backend->run(Phase::spring_utilisation);
+  const auto used = problem_.backend->read(Field::utilisation);
   return *std::max_element(used.begin(), used.end());
 }
 
 CrackEvent CrackEvents::break_worst_group(double load_factor) {
-  const ContactPoints& contacts = setup_.contacts;
-  backend_.run(Phase::spring_utilisation);
-  const auto used = backend_.read(Field::utilisation);
+  const ContactPoints& contacts = problem_.contacts;
+  problem_.backend->run(Phase::spring_utilisation);
+  const auto used = problem_.backend->read(Field::utilisation);
   const auto worst = static_cast<int>(std::max_element(used.begin(), used.end()) - used.begin());
-  const auto before = read_contacts(setup_, backend_);
+  const auto before = contacts_.read();
 
   Controls controls;
   controls.break_threshold = worst_group_share * used[worst];
-  backend_.run(Phase::break_springs, controls);
-  const auto state = backend_.read(Field::contact_state);
+  problem_.backend->run(Phase::break_springs, controls);
+  const auto state = problem_.backend->read(Field::contact_state);
 
   CrackEvent event;
   event.load_factor = load_factor;
-  event.place = setup_.discretisation.block_points[setup_.discretisation.blocks.new_node[contacts.node_a[worst]]];
-  event.interface = model_.interfaces[contacts.interface[worst]].name;
+  event.place = problem_.discretisation.block_points[problem_.discretisation.blocks.new_node[contacts.node_a[worst]]];
+  event.interface = problem_.model.interfaces[contacts.interface[worst]].name;
   event.mode = state[worst] == static_cast<double>(ContactState::cracked_in_tension) ? "tension" : "shear";
   for (int c = 0; c < contacts.count(); ++c) {
     if (static_cast<int>(state[c]) == static_cast<int>(before[c].state)) continue;
@@ -45,8 +44,7 @@ CrackEvent CrackEvents::break_worst_group(double load_factor) {
     // What is left of the spring's energy once it has slid to its friction limit at this gap; the friction work on that
     // way is booked as slip.
     const double tension = std::max(before[c].traction.normal, 0.0);
-    const double friction =
-        std::max(-before[c].traction.normal, 0.0) * setup_.interface_laws[contacts.interface[c]].tan_friction;
+    const double friction = std::max(-before[c].traction.normal, 0.0) * contacts_.law(c).tan_friction;
     const double dropped = std::max(norm(before[c].traction.shear) - friction, 0.0);
     dissipated_ += 0.5 * contacts.area[c] *
                    (tension * tension / contacts.normal_stiffness[c] + dropped * dropped / contacts.shear_stiffness[c]);
@@ -58,14 +56,14 @@ void CrackEvents::start_account() {
   dissipated_ = 0;
   booked_slip_.clear();
   if (!slides_) return;
-  for (const auto& point : read_contacts(setup_, backend_)) booked_slip_.push_back(point.slip);
+  for (const auto& point : contacts_.read()) booked_slip_.push_back(point.slip);
 }
 
 void CrackEvents::book_sliding() {
   if (!slides_) return;
-  const auto points = read_contacts(setup_, backend_);
+  const auto points = contacts_.read();
   for (std::size_t c = 0; c < points.size(); ++c) {
-    dissipated_ += setup_.contacts.area[c] * dot(points[c].traction.shear, points[c].slip - booked_slip_[c]);
+    dissipated_ += problem_.contacts.area[c] * dot(points[c].traction.shear, points[c].slip - booked_slip_[c]);
     booked_slip_[c] = points[c].slip;
   }
 }
@@ -80,20 +78,20 @@ void CrackEvents::fill(StageResult& result) {
   result.cracked_area = 0;
   result.cracked_area_by_direction = {{"horizontal", 0.0}, {"vertical", 0.0}, {"inclined", 0.0}};
   if (!breakable_) return;
-  const auto state = backend_.read(Field::contact_state);
-  for (int c = 0; c < setup_.contacts.count(); ++c) {
+  const auto state = problem_.backend->read(Field::contact_state);
+  for (int c = 0; c < problem_.contacts.count(); ++c) {
     if (state[c] == 0) continue;
-    result.cracked_area += setup_.contacts.area[c];
-    result.cracked_area_by_direction[crack_direction(setup_.contacts.normal[c])] += setup_.contacts.area[c];
+    result.cracked_area += problem_.contacts.area[c];
+    result.cracked_area_by_direction[crack_direction(problem_.contacts.normal[c])] += problem_.contacts.area[c];
   }
 }
 
 double CrackEvents::cracked_fraction() {
   if (!breakable_) return 0;
-  const auto state = backend_.read(Field::contact_state);
+  const auto state = problem_.backend->read(Field::contact_state);
   long cracked = 0, strong = 0;
-  for (int c = 0; c < setup_.contacts.count(); ++c) {
-    strong += setup_.interface_laws[setup_.contacts.interface[c]].breakable;
+  for (int c = 0; c < problem_.contacts.count(); ++c) {
+    strong += contacts_.law(c).breakable;
     cracked += state[c] != 0;
   }
   return static_cast<double>(cracked) / static_cast<double>(strong);

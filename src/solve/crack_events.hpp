@@ -1,7 +1,6 @@
 #pragma once
 #include <vector>
 
-#include "model/model.hpp"
 #include "solve/contact_states.hpp"
 #include "solve/result.hpp"
 
@@ -13,7 +12,13 @@ inline constexpr double worst_group_share = 0.999;
 
 class CrackEvents {
  public:
-  CrackEvents(const Model& model, const Setup& setup, Backend& backend);
+  /// `problem` outlives this.
+  explicit CrackEvents(const Problem& problem);
+
+  /// Whether any contact point has a strength.
+  bool breakable() const { return breakable_; }
+  /// Whether any contact point can open or slide, at once or after it has cracked.
+  bool can_separate() const { return slides_; }
 
   /// Share of its strength that the worst contact point uses at the present, converged state; 0 where nothing can
   /// break.
@@ -38,9 +43,8 @@ class CrackEvents {
   double cracked_fraction();
 
  private:
-  const Model& model_;
-  const Setup& setup_;
-  Backend& backend_;
+  const Problem& problem_;
+  ContactReader contacts_;
   bool breakable_ = false;
   bool slides_ = false;
   std::vector<Vec3<double>> booked_slip_;

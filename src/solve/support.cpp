@@ -36,8 +36,10 @@ bool holds_a_rigid_body(const std::vector<Vec3<double>>& points, const std::vect
 
 }  // namespace
 
-std::vector<FreeBody> free_bodies(const Setup& setup, const Mesh& mesh, const Blocks& blocks,
-                                  const std::vector<ContactPoint>& contacts, const std::vector<double>& fixed) {
+std::vector<FreeBody> free_bodies(const Problem& problem, const std::vector<ContactPoint>& contacts) {
+  const Mesh& mesh = problem.model.mesh;
+  const Blocks& blocks = problem.blocks;
+  const auto fixed = problem.backend->read(Field::fixed);
   std::vector<int> block_of_node(blocks.node_count(), -1);
   for (int e = 0; e < mesh.element_count(); ++e)
     for (int c = mesh.first_corner[e]; c < mesh.first_corner[e + 1]; ++c)
@@ -51,13 +53,13 @@ std::vector<FreeBody> free_bodies(const Setup& setup, const Mesh& mesh, const Bl
   };
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (!contacts[c].joined()) continue;
-    const int a = find(block_of_node[setup.contacts.node_a[c]]), b = find(block_of_node[setup.contacts.node_b[c]]);
+    const int a = find(block_of_node[problem.contacts.node_a[c]]), b = find(block_of_node[problem.contacts.node_b[c]]);
     body[std::max(a, b)] = std::min(a, b);
   }
 
   std::vector<std::vector<int>> nodes_of(blocks.block_count);
   for (int n = 0; n < blocks.node_count(); ++n)
-    if (block_of_node[n] >= 0) nodes_of[find(block_of_node[n])].push_back(setup.discretisation.blocks.new_node[n]);
+    if (block_of_node[n] >= 0) nodes_of[find(block_of_node[n])].push_back(problem.discretisation.blocks.new_node[n]);
 
   std::vector<FreeBody> free;
   for (int b = 0; b < blocks.block_count; ++b) {
@@ -66,7 +68,7 @@ std::vector<FreeBody> free_bodies(const Setup& setup, const Mesh& mesh, const Bl
     std::vector<Vec3<double>> points;
     std::vector<unsigned> held;
     for (const int n : nodes) {
-      points.push_back(setup.discretisation.block_points[n]);
+      points.push_back(problem.discretisation.block_points[n]);
       held.push_back(static_cast<unsigned>(fixed[n]));
     }
     if (holds_a_rigid_body(points, held)) continue;

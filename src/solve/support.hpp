@@ -13,9 +13,7 @@ struct FreeBody {
   std::vector<int> nodes;   ///< block nodes in the machine's numbering, ascending
 };
 
-/// @param fixed [block nodes, the machine's numbering] bits 0 1 2: x y z held
-/// @param contacts from read_contacts; empty: no contact holds
-std::vector<FreeBody> free_bodies(const Setup& setup, const Mesh& mesh, const Blocks& blocks,
-                                  const std::vector<ContactPoint>& contacts, const std::vector<double>& fixed);
+/// At the present state; `contacts` as read. Ordered by first block.
+std::vector<FreeBody> free_bodies(const Problem& problem, const std::vector<ContactPoint>& contacts);
 
 }  // namespace ashlar
