@@ -1,0 +1,268 @@
+"""Polygons to draw: outer faces seen from a direction, plane sections, outlines, interface traces."""
+import dataclasses
+
+import numpy as np
+
+# Faces by VTK cell type, right-hand normals pointing out of the element (src/model/mesh.hpp).
+FACES = {
+    12: [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)],
+    13: [(0, 2, 1), (3, 4, 5), (0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5)],
+    10: [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)],
+}
+EDGES = {kind: sorted({tuple(sorted((f[i], f[i - 1]))) for f in faces for i in range(len(f))})
+         for kind, faces in FACES.items()}
+CORNERS = {12: 8, 13: 6, 10: 4}
+
+
+@dataclasses.dataclass
+class View:
+    """Orthographic view: unit vectors to the right, upwards, and away from the eye."""
+    right: np.ndarray
+    up: np.ndarray
+    away: np.ndarray
+    labels: tuple
+
+    def project(self, points):
+        return np.stack([points @ self.right, points @ self.up], axis=-1)
+
+    @property
+    def flat(self):
+        """True where the view shows two coordinates of the model in true length."""
+        return all(self.labels)
+
+
+def view_along(name):
+    """View by name: "y" looks along +y (x to the right, z up), "x" along -x, "z" from above, "iso" obliquely."""
+    x, y, z = np.eye(3)
+    if name == "x":
+        return View(y, z, -x, ("y", "z"))
+    if name == "z":
+        return View(x, y, -z, ("x", "y"))
+    if name == "iso":
+        away = np.array([0.55, 0.70, -0.45])
+        away /= np.linalg.norm(away)
+        right = np.cross(away, z)
+        right /= np.linalg.norm(right)
+        return View(right, np.cross(right, away), away, ("", ""))
+    return View(x, z, y, ("x", "z"))
+
+
+@dataclasses.dataclass
+class Polygons:
+    """Polygons whose corners lie on lines between two nodes: value = (1 - weight) f[first] + weight f[second]."""
+    first: np.ndarray   # [corners] node
+    second: np.ndarray  # [corners] node
+    weight: np.ndarray  # [corners]
+    start: np.ndarray   # [polygons + 1] offsets into the corners
+    cell: np.ndarray    # [polygons] element that each belongs to
+
+    def __len__(self):
+        return len(self.cell)
+
+    def at_corners(self, nodal):
+        """Values of a nodal field, one row per corner."""
+        w = self.weight.reshape((-1,) + (1,) * (nodal.ndim - 1))
+        return (1 - w) * nodal[self.first] + w * nodal[self.second]
+
+    def chosen(self, keep):
+        """The polygons for which `keep` holds, in order."""
+        index = np.flatnonzero(keep)
+        counts = np.diff(self.start)[index]
+        corners = np.concatenate([np.arange(self.start[i], self.start[i + 1]) for i in index]) if len(index) else []
+        corners = np.asarray(corners, int)
+        return Polygons(self.first[corners], self.second[corners], self.weight[corners],
+                        np.concatenate([[0], np.cumsum(counts)]), self.cell[index])
+
+    def owner(self):
+        """[corners] number of the polygon that each corner belongs to."""
+        return np.repeat(np.arange(len(self)), np.diff(self.start))
+
+    def mean(self, corner_values):
+        """[polygons] mean over the corners of each."""
+        total = np.add.reduceat(corner_values, self.start[:-1], axis=0)
+        return total / np.diff(self.start).reshape((-1,) + (1,) * (corner_values.ndim - 1))
+
+    def edges(self):
+        """[edges, 2] corner numbers, each polygon's edges in turn (edge i starts at corner i)."""
+        following = np.arange(len(self.first)) + 1
+        following[self.start[1:] - 1] = self.start[:-1]
+        return np.stack([np.arange(len(self.first)), following], axis=1)
+
+
+def merged_nodes(points):
+    """[nodes] number shared by all nodes at one place (to a millionth of the model's size)."""
+    grain = 1.0137e-6 * max(np.ptp(points, axis=0).max(), 1e-300)  # no round number: no coordinate lies between two grains
+    return np.unique(np.round(points / grain).astype(np.int64), axis=0, return_inverse=True)[1]
+
+
+def element_corners(mesh, kind):
+    """(element numbers, [elements, corners] nodes) of one VTK cell type."""
+    elements = np.flatnonzero(mesh.types == kind)
+    return elements, mesh.connectivity[mesh.offsets[elements][:, None] + np.arange(CORNERS[kind])]
+
+
+def outer_faces(mesh, elements):
+    """Faces that exactly one of the chosen elements (a mask) has. Nodes of split blocks count as one place."""
+    place = merged_nodes(mesh.points)
+    rows, cells = [], []
+    for kind, faces in FACES.items():
+        numbers, corners = element_corners(mesh, kind)
+        numbers, corners = numbers[elements[numbers]], corners[elements[numbers]]
+        for face in faces:
+            row = np.full((len(numbers), 4), -1)
+            row[:, :len(face)] = corners[:, list(face)]
+            rows.append(row)
+            cells.append(numbers)
+    rows, cells = np.concatenate(rows), np.concatenate(cells)
+    key = np.sort(np.where(rows >= 0, place[rows], -1), axis=1)
+    _, inverse, count = np.unique(key, axis=0, return_inverse=True, return_counts=True)
+    outer = count[inverse] == 1
+    rows, cells = rows[outer], cells[outer]
+    order = np.argsort(cells, kind="stable")
+    rows, cells = rows[order], cells[order]
+    nodes = rows[rows >= 0]
+    sizes = (rows >= 0).sum(axis=1)
+    return Polygons(nodes, nodes, np.zeros(len(nodes)), np.concatenate([[0], np.cumsum(sizes)]), cells)
+
+
+def normals(polygons, points):
+    """[polygons, 3] unit right-hand normals (Newell)."""
+    p = polygons.at_corners(points)
+    edges = polygons.edges()
+    n = np.add.reduceat(np.cross(p[edges[:, 0]], p[edges[:, 1]]), polygons.start[:-1], axis=0)
+    return n / np.maximum(np.linalg.norm(n, axis=1), 1e-300)[:, None]
+
+
+def facing(polygons, points, view):
+    """The polygons that turn their outside to the eye, far ones first."""
+    seen = polygons.chosen(normals(polygons, points) @ view.away < -0.05)
+    depth = seen.mean(seen.at_corners(points) @ view.away) if len(seen) else np.zeros(0)
+    order = np.argsort(-depth, kind="stable")
+    corners = np.concatenate([np.arange(seen.start[i], seen.start[i + 1]) for i in order]) if len(order) else []
+    corners = np.asarray(corners, int)
+    return Polygons(seen.first[corners], seen.second[corners], seen.weight[corners],
+                    np.concatenate([[0], np.cumsum(np.diff(seen.start)[order])]), seen.cell[order])
+
+
+def section(mesh, elements, axis, position):
+    """Cut of the chosen elements (a mask) by the plane `axis` (0, 1, 2) = position."""
+    grain = 1e-6 * np.ptp(mesh.points, axis=0).max()
+    distance = mesh.points[:, axis] - position
+    distance = np.where(np.abs(distance) < grain, grain, distance)  # a plane through nodes is moved beside them
+    first, second, sizes, cells = [], [], [], []
+    for kind, edges in EDGES.items():
+        numbers, corners = element_corners(mesh, kind)
+        numbers, corners = numbers[elements[numbers]], corners[elements[numbers]]
+        pattern = ((distance[corners] > 0) << np.arange(CORNERS[kind])).sum(axis=1)
+        for bits in np.unique(pattern):
+            cut = [(a, b) for a, b in edges if (bits >> a & 1) != (bits >> b & 1)]
+            if len(cut) < 3:
+                continue
+            chosen = pattern == bits
+            nodes = corners[chosen]
+            cut = np.array(cut)[order_around(mesh.points, distance, nodes[0], np.array(cut), axis)]
+            first.append(nodes[:, cut[:, 0]].ravel())
+            second.append(nodes[:, cut[:, 1]].ravel())
+            sizes.append(np.full(chosen.sum(), len(cut)))
+            cells.append(numbers[chosen])
+    if not first:
+        low, high = mesh.points[:, axis].min(), mesh.points[:, axis].max()
+        raise ValueError(f"the section {'xyz'[axis]} = {position:g} m misses the model ({low:g} to {high:g} m)")
+    first, second, sizes = np.concatenate(first), np.concatenate(second), np.concatenate(sizes)
+    weight = distance[first] / (distance[first] - distance[second])
+    return Polygons(first, second, weight, np.concatenate([[0], np.cumsum(sizes)]), np.concatenate(cells))
+
+
+def order_around(points, distance, nodes, cut, axis):
+    """Order of the cut edges of one element around the polygon that they span."""
+    a, b = nodes[cut[:, 0]], nodes[cut[:, 1]]
+    w = (distance[a] / (distance[a] - distance[b]))[:, None]
+    p = np.delete((1 - w) * points[a] + w * points[b], axis, axis=1)
+    p = p - p.mean(axis=0)
+    return np.argsort(np.arctan2(p[:, 1], p[:, 0]))
+
+
+def outline(polygons, points, regions):
+    """[edges, 2] corner numbers of the edges that bound the drawn polygons or separate two regions, or a sharp corner."""
+    place = merged_nodes(polygons.at_corners(points))
+    edges = polygons.edges()
+    key = np.sort(place[edges], axis=1)
+    owner = polygons.owner()
+    order = np.lexsort((key[:, 1], key[:, 0]))
+    key, edges, owner = key[order], edges[order], owner[order]
+    same = np.all(key[1:] == key[:-1], axis=1)
+    n = normals(polygons, points)
+    bend = np.abs(np.einsum("ij,ij->i", n[owner[1:]], n[owner[:-1]])) < 0.85
+    border = (regions[polygons.cell[owner[1:]]] != regions[polygons.cell[owner[:-1]]]) | bend
+    inner = same & ~border
+    drop = np.concatenate([[False], inner]) | np.concatenate([inner, [False]])
+    return edges[~drop]
+
+
+def traces(polygons, corners, faces, plane=None):
+    """Half edges of the drawn polygons that lie on interface faces: ([halves, 2] corner numbers, state, opening).
+
+    A half runs from its first corner halfway to its second, and has the state of the contact point at its first.
+    `plane` is (axis, position) where a section is drawn, else the edges of the faces themselves are looked for.
+    """
+    halves = np.concatenate([polygons.edges(), polygons.edges()[:, ::-1]])
+    ends, state, opening = segments(faces) if plane is None else cut_segments(faces, *plane)
+    ends, state, opening = (np.concatenate([v, v[:, ::-1]]) for v in (ends, state, opening))
+    if not len(ends):
+        return halves[:0], state[:, 0], opening[:, 0]
+    share = np.array([0.75, 0.25])
+    drawn = np.einsum("e,ned->nd", share, corners[halves])
+    key = merged_nodes(np.concatenate([drawn, np.einsum("e,ned->nd", share, ends)]))
+    # Where a half edge lies on several faces the one that is broken and open widest is shown.
+    order = np.lexsort((opening[:, 0], state[:, 0] > 0))
+    on = np.full(key.max() + 1, -1)
+    on[key[len(halves):][order]] = order
+    found = on[key[:len(halves)]]
+    return halves[found >= 0], state[found[found >= 0], 0], opening[found[found >= 0]] @ share
+
+
+def segments(faces):
+    """Edges of the faces: ([edges, 2, 3] ends, [edges, 2] state, [edges, 2] opening)."""
+    edges = faces.first[faces.edges()]
+    return faces.points[edges], faces.state[edges], faces.opening[edges]
+
+
+def cut_segments(faces, axis, position):
+    """The same for the segments in which the faces meet the plane `axis` = position; each is given once."""
+    grain = 1e-6 * np.ptp(faces.points, axis=0).max()
+    distance = faces.points[:, axis] - position
+    distance = np.where(np.abs(distance) < grain, grain, distance)[faces.first]
+    edges, owner = faces.edges(), faces.owner()
+    crossing = np.flatnonzero((distance[edges[:, 0]] > 0) != (distance[edges[:, 1]] > 0))
+    crossing = crossing[:len(crossing) // 2 * 2]
+    a, b = edges[crossing].T
+    w = distance[a] / (distance[a] - distance[b])
+    a, b = faces.first[a], faces.first[b]
+    ends = (1 - w)[:, None] * faces.points[a] + w[:, None] * faces.points[b]
+    opening = (1 - w) * faces.opening[a] + w * faces.opening[b]
+    state = np.maximum(faces.state[a], faces.state[b])
+    pairs = owner[crossing].reshape(-1, 2)
+    assert np.all(pairs[:, 0] == pairs[:, 1]), "a convex face meets a plane in one segment"
+    return ends.reshape(-1, 2, 3), state.reshape(-1, 2), opening.reshape(-1, 2)
+
+
+def sample(triangles, values, points):
+    """Values at points of the plane, linear in the first triangle that holds each; NaN outside.
+
+    `triangles` [triangles, 3, 2], `values` [triangles, 3], `points` [points, 2].
+    """
+    a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
+    u, v = b - a, c - a
+    twice_area = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    sound = twice_area != 0
+    a, u, v, twice_area, values = a[sound], u[sound], v[sound], twice_area[sound], values[sound]
+    found = np.full(len(points), np.nan)
+    for i, point in enumerate(points):
+        d = point - a
+        second = (d[:, 0] * v[:, 1] - d[:, 1] * v[:, 0]) / twice_area
+        third = (u[:, 0] * d[:, 1] - u[:, 1] * d[:, 0]) / twice_area
+        inside = np.flatnonzero((second > -1e-9) & (third > -1e-9) & (second + third < 1 + 1e-9))
+        if len(inside):
+            t = inside[0]
+            found[i] = values[t] @ [1 - second[t] - third[t], second[t], third[t]]
+    return found

@@ -1,0 +1,126 @@
+"""Reads the folder of a run: manifest.json, fields (VTKHDF), interfaces, histories."""
+import csv
+import dataclasses
+import json
+import pathlib
+
+import h5py
+import numpy as np
+
+from plotting.geometry import Polygons
+
+
+class ResultsError(Exception):
+    """The folder is no run, or lacks what was asked for; the message says what there is."""
+
+
+@dataclasses.dataclass
+class Mesh:
+    points: np.ndarray        # [nodes, 3] m
+    connectivity: np.ndarray
+    offsets: np.ndarray       # [elements + 1]
+    types: np.ndarray         # [elements] VTK cell types
+    regions: np.ndarray       # [elements] index into region_names
+    region_names: list
+
+
+@dataclasses.dataclass
+class Output:
+    """One moment that fields were written at."""
+    step: str                 # name of its group, "00001"
+    stage: str
+    time: float
+    load_factor: float
+
+    @property
+    def words(self):
+        return f"stage {self.stage}" + (f" (load factor {self.load_factor:.3g})" if self.load_factor < 1 else "")
+
+
+class Faces(Polygons):
+    """Interface faces at one moment; points are contact points."""
+
+    def __init__(self, points, connectivity, offsets, state, opening):
+        super().__init__(connectivity, connectivity, np.zeros(len(connectivity)), offsets, np.arange(len(offsets) - 1))
+        self.points = points
+        self.state = state        # [points] 0: intact
+        self.opening = opening    # [points] m
+        corners, edges = points[connectivity], self.edges()
+        vectors = np.add.reduceat(np.cross(corners[edges[:, 0]], corners[edges[:, 1]]), offsets[:-1], axis=0)
+        self.area = np.linalg.norm(vectors, axis=1) / 2
+        self.cracked_share = self.mean((state[connectivity] > 0).astype(float))
+
+
+@dataclasses.dataclass
+class History:
+    name: str
+    columns: list             # "displacement.x", ...
+    units: dict               # column -> unit
+    stages: list              # [rows]
+    time: np.ndarray          # [rows]
+    values: dict              # column -> [rows]
+
+    @property
+    def stage_starts(self):
+        """(time, stage) of the first row of each stage."""
+        first = {}
+        for time, stage in zip(self.time, self.stages):
+            first.setdefault(stage, time)
+        return [(time, stage) for stage, time in first.items()]
+
+
+class Run:
+    """The folder that `ashlar run` wrote."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        try:
+            self.manifest = json.loads((self.folder / "manifest.json").read_text(encoding="utf-8"))
+            self.file = h5py.File(self.folder / "results.vtkhdf", "r")
+        except (OSError, ValueError) as error:
+            raise ResultsError(f"{folder} is no folder of results: {error}") from error
+        self.name = self.manifest["model"]["name"]
+        self.mesh = self.read_mesh()
+        self.outputs = [Output(name, *(group.attrs[key] for key in ("stage", "time", "load_factor")))
+                        for name, group in sorted(self.file["Steps"].items())]
+
+    def read_mesh(self):
+        group = self.file["VTKHDF"]
+        regions = group["CellData/region"]
+        return Mesh(group["Points"][()], group["Connectivity"][()], group["Offsets"][()], group["Types"][()],
+                    regions[()], [text(name) for name in regions.attrs["names"]])
+
+    def output(self, stage):
+        """The last output of a stage; of the run if `stage` is empty."""
+        found = [o for o in self.outputs if not stage or o.stage == stage]
+        if not found:
+            stages = list(dict.fromkeys(o.stage for o in self.outputs))
+            raise ResultsError(f"no output of a stage '{stage}'; stages: " + ", ".join(stages))
+        return found[-1]
+
+    def field(self, name, output):
+        """("point" or "cell", values) at one output."""
+        step = self.file["Steps"][output.step]
+        if name not in step:
+            raise ResultsError(f"the results hold no field '{name}'; fields: " + ", ".join(sorted(step)))
+        return ("point" if name in self.file["VTKHDF/PointData"] else "cell"), step[name][()]
+
+    def has_field(self, name):
+        return any(name in step for step in self.file["Steps"].values())
+
+    def has_interfaces(self):
+        return (self.folder / "interfaces.vtkhdf").exists()
+
+    def interfaces(self, output):
+        """The interface faces at one output."""
+        if not self.has_interfaces():
+            raise ResultsError("the results hold no interfaces: the deck has no joint and no crackable region")
+        with h5py.File(self.folder / "interfaces.vtkhdf", "r") as file:
+            group = file["VTKHDF"]
+            step = file["Steps"][output.step]
+            return Faces(group["Points"][()], group["Connectivity"][()], group["Offsets"][()], step["state"][()],
+                         step["opening"][()])
+
+
+def text(value):
+    return value.decode("utf-8") if isinstance(value, bytes) else str(value)
