@@ -1,0 +1,55 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/grid_file.hpp"
+#include "model/blocks.hpp"
+#include "solve/observer.hpp"
+
+namespace ashlar {
+
+/// What `record` of an output may name, and the arrays that each name writes:
+///   displacement      results: displacement [m] per node;  interfaces: displacement [m] per corner, mean of both sides
+///   temperature       results: temperature [degC] per node; the reference temperature until a stage has computed one
+///   stress            results: stress [Pa] per element and nodal_stress [Pa] per node, components xx yy zz xy yz zx
+///   principal_stress  results: principal_stress [Pa] per element, most tensile first
+///   opening, slip     interfaces: [m] per corner
+///   traction          interfaces: normal_traction (tension positive) and shear_traction (magnitude) [Pa] per corner
+///   broken            interfaces: state per corner, 0 intact, 1 cracked in tension, 2 cracked in shear
+const std::vector<std::string>& recordable_names();
+
+/// Every name that the model's outputs record, each once. A model without an output records everything.
+std::vector<std::string> recorded_names(const Model& model);
+
+/// The fields of a run: results.vtkhdf and .xdmf with the block nodes and the mesh's elements (cell arrays region and
+/// block), and, if the model has interfaces and a field of theirs is recorded, interfaces.vtkhdf and .xdmf with one
+/// polygon for every entry of Blocks::faces (cell array interface). Polygons share no points: point i is contact point
+/// i.
+class ResultFile {
+ public:
+  /// Creates the files in `folder`. `program` ("ashlar 0.1.0") is written into them.
+  ResultFile(const std::string& folder, const std::string& program, const Model& model, const Blocks& blocks,
+             const ContactPoints& contacts);
+
+  /// Before the first mechanical stage (a snapshot without displacement) mechanical fields are zero.
+  /// Throws std::logic_error if another recorded field is missing in the snapshot or has the wrong size.
+  void append(const Snapshot& snapshot);
+
+  /// Where outputs stand on the time axis of the files. Stage k fills (k-1, k]: k at its end, before it by load factor
+  /// or by time over duration, so that the axis grows through stages whose own times are not comparable.
+  double position(const Snapshot& snapshot) const;
+
+  std::vector<std::string> file_names() const;
+
+ private:
+  const Model& model_;
+  std::vector<int> node_a_, node_b_;  ///< block nodes of every contact point
+  std::size_t node_count_;
+  std::vector<std::string> result_arrays_, interface_arrays_;
+  GridFile results_;
+  std::optional<GridFile> interfaces_;
+  double last_position_ = 0;
+};
+
+}  // namespace ashlar
