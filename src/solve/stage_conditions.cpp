@@ -1,0 +1,73 @@
+#include "solve/stage_conditions.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "model/loads.hpp"
+
+namespace ashlar {
+
+namespace {
+
+/// The axis that a facet is perpendicular to. Throws DeckError if there is none.
+int normal_axis(const Mesh& mesh, const Facet& facet, const Condition& condition, const Surface& surface) {
+  const Vec3<double> n = mesh.facet_area(facet);
+  const double size = norm(n);
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(n[axis]) > (1 - 1e-9) * size) return axis;
+  const Vec3<double> at = mesh.facet_centroid(facet);
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "fix '%s': surface '%s' is not perpendicular to x, y or z at (%.6g, %.6g, %.6g), where its normal is (%.3g, %.3g, %.3g): "
+                "give x, y, z instead of normal",
+                condition.name.c_str(), surface.name.c_str(), at.x, at.y, at.z, n.x / size, n.y / size, n.z / size);
+  throw DeckError(condition.where, text);
+}
+
+void fix(const Problem& p, const Condition& condition, const Fix& f, const Surface& surface, MechanicalConditions& out) {
+  const unsigned bits = (f.x ? 1u : 0u) | (f.y ? 2u : 0u) | (f.z ? 4u : 0u);
+  for (const Facet& facet : surface.facets) {
+    const unsigned all = f.normal ? bits | (1u << normal_axis(p.model.mesh, facet, condition, surface)) : bits;
+    for (const int n : facet_nodes(p.model.mesh, p.blocks.corners, facet))
+      out.fixed[n] = static_cast<double>(static_cast<unsigned>(out.fixed[n]) | all);
+  }
+}
+
+}  // namespace
+
+MechanicalConditions mechanical_conditions(const Problem& p, int stage) {
+  const auto nodes = static_cast<std::size_t>(p.blocks.node_count());
+  MechanicalConditions out;
+  out.load.assign(3 * nodes, 0);
+  out.surface_load.assign(3 * nodes, 0);
+  out.fixed.assign(nodes, 0);
+  const std::vector<ActingCondition> acting = acting_conditions(p.model, stage);
+  add_loads(p.model, p.blocks.corners, acting, out.load);
+
+  std::vector<ActingCondition> on_surfaces;
+  std::map<int, double> prescribed;
+  for (const ActingCondition& a : acting) {
+    if (std::holds_alternative<WaterPressure>(a.condition->kind) || std::holds_alternative<Traction>(a.condition->kind))
+      on_surfaces.push_back(a);
+    for (const Surface* surface : a.surfaces) {
+      if (const auto* f = std::get_if<Fix>(&a.condition->kind)) fix(p, *a.condition, *f, *surface, out);
+      if (const auto* d = std::get_if<Displacement>(&a.condition->kind)) {
+        const std::optional<Value>* given[3] = {&d->x, &d->y, &d->z};
+        for (const int n : surface_nodes(p.model.mesh, p.blocks.corners, *surface))
+          for (int axis = 0; axis < 3; ++axis)
+            if (*given[axis]) prescribed[3 * n + axis] = (**given[axis])(p.model.mesh.points[p.blocks.mesh_node[n]]);
+      }
+    }
+  }
+  add_loads(p.model, p.blocks.corners, on_surfaces, out.surface_load);
+  for (const auto& [component, value] : prescribed) {
+    out.prescribed.push_back(component);
+    out.displacement.push_back(value);
+    const int n = component / 3;
+    out.fixed[n] = static_cast<double>(static_cast<unsigned>(out.fixed[n]) | (1u << (component % 3)));
+  }
+  return out;
+}
+
+}  // namespace ashlar

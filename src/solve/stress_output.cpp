@@ -1,0 +1,103 @@
+#include "solve/stress_output.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "physics/shapes/hex8.hpp"
+#include "physics/shapes/tet4.hpp"
+#include "physics/shapes/wedge6.hpp"
+
+namespace ashlar {
+
+namespace {
+
+/// Corner values from Gauss-point values: inverse of the shape functions at the Gauss points.
+template <class Element>
+Eigen::MatrixXd extrapolation() {
+  if constexpr (Element::gauss_points == 1) {
+    return Eigen::MatrixXd::Ones(Element::corners, 1);
+  } else {
+    Eigen::MatrixXd shape(Element::gauss_points, Element::corners);
+    for (int g = 0; g < Element::gauss_points; ++g)
+      for (int k = 0; k < Element::corners; ++k) shape(g, k) = Element::shape(g, k);
+    return shape.inverse();
+  }
+}
+
+const Eigen::MatrixXd& extrapolation_of(Shape shape) {
+  static const Eigen::MatrixXd matrices[shape_count] = {extrapolation<Hex8<double>>(), extrapolation<Wedge6<double>>(),
+                                                        extrapolation<Tet4<double>>()};
+  return matrices[static_cast<int>(shape)];
+}
+
+/// Gauss-point values of one mesh element: [points x 6].
+Eigen::MatrixXd gauss_values(const Batch& batch, int element, std::span<const double> gauss) {
+  const int points = gauss_count(batch.shape);
+  Eigen::MatrixXd values(points, 6);
+  for (int g = 0; g < points; ++g)
+    for (int c = 0; c < 6; ++c) values(g, c) = gauss[6 * static_cast<std::size_t>(batch.gauss(element - batch.first_element, g)) + c];
+  return values;
+}
+
+/// work(mesh element, its Gauss-point values), batch by batch.
+template <class Work>
+void each_element(const Problem& p, std::span<const double> gauss, Work work) {
+  for (const Batch& batch : p.discretisation.batches)
+    for (int e = batch.first_element; e < batch.first_element + batch.element_count; ++e)
+      work(p.discretisation.source_element[e], gauss_values(batch, e, gauss));
+}
+
+double volume(const Mesh& mesh, int element) {
+  // Divergence theorem over the faces: exact for planar faces, and a weight only.
+  double v = 0;
+  for (int face = 0; face < face_count(mesh.shapes[element]); ++face)
+    v += dot(mesh.facet_centroid({element, face}) - mesh.centroid(element), mesh.facet_area({element, face})) / 3;
+  return v;
+}
+
+}  // namespace
+
+std::vector<double> element_stress(const Problem& p, std::span<const double> gauss) {
+  std::vector<double> stress(6 * static_cast<std::size_t>(p.model.mesh.element_count()));
+  each_element(p, gauss, [&](int element, const Eigen::MatrixXd& values) {
+    for (int c = 0; c < 6; ++c) stress[6 * static_cast<std::size_t>(element) + c] = values.col(c).mean();
+  });
+  return stress;
+}
+
+std::vector<double> nodal_stress(const Problem& p, std::span<const double> gauss) {
+  const Mesh& mesh = p.model.mesh;
+  const auto nodes = static_cast<std::size_t>(p.blocks.node_count());
+  std::vector<int> region(nodes, static_cast<int>(mesh.region_names.size()));
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (int s = mesh.first_corner[e]; s < mesh.first_corner[e + 1]; ++s)
+      region[p.blocks.corners[s]] = std::min(region[p.blocks.corners[s]], mesh.regions[e]);
+  std::vector<double> stress(6 * nodes), weight(nodes);
+  each_element(p, gauss, [&](int element, const Eigen::MatrixXd& values) {
+    const Eigen::MatrixXd corner = extrapolation_of(mesh.shapes[element]) * values;
+    const double w = volume(mesh, element);
+    for (int k = 0; k < corner.rows(); ++k) {
+      const auto n = static_cast<std::size_t>(p.blocks.corners[mesh.first_corner[element] + k]);
+      if (region[n] != mesh.regions[element]) continue;
+      weight[n] += w;
+      for (int c = 0; c < 6; ++c) stress[6 * n + c] += w * corner(k, c);
+    }
+  });
+  for (std::size_t n = 0; n < nodes; ++n)
+    for (int c = 0; c < 6; ++c) stress[6 * n + c] /= weight[n];
+  return stress;
+}
+
+std::vector<double> principal_stress(std::span<const double> stress) {
+  std::vector<double> principal(stress.size() / 2);
+  for (std::size_t n = 0; n < stress.size() / 6; ++n) {
+    const double* s = &stress[6 * n];
+    Eigen::Matrix3d tensor;
+    tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+    const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor, Eigen::EigenvaluesOnly).eigenvalues();
+    for (int i = 0; i < 3; ++i) principal[3 * n + i] = values[2 - i];
+  }
+  return principal;
+}
+
+}  // namespace ashlar
