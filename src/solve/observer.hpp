@@ -45,6 +45,7 @@ class Observer {
   virtual void progress(const Progress&) {}               ///< at most about ten times a second
   virtual void crack(const std::string& stage, const CrackEvent&) {}
   virtual void output(const Snapshot&) {}
+  virtual void history_row(const HistoryTable&) {}       ///< the table's last row is new
   virtual void stage_ends(const StageResult&) {}
   virtual bool interrupted() { return false; }            ///< asked between steps; true: stop with reason "interrupted"
 };
