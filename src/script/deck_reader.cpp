@@ -1,0 +1,331 @@
+#include "script/deck_reader.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/nearest_name.hpp"
+#include "io/mesh_file.hpp"
+
+namespace ashlar {
+namespace {
+
+constexpr const char* reader_key = "ashlar deck reader";
+
+/// Nouns whose names become regions share one family.
+std::string family(const std::string& noun) { return noun == "box" || noun == "extrude" ? "region" : noun; }
+
+template <class Map>
+std::vector<std::string> keys_of(const Map& map) {
+  std::vector<std::string> keys;
+  for (const auto& entry : map) keys.push_back(entry.first);
+  return keys;
+}
+
+/// Text of an argument's value in the argument's unit.
+std::string argument_text(const Quantity& value, const std::string& unit) {
+  for (const auto& u : units())
+    if (u.name == unit) return number_text(value.value / u.scale) + " " + unit;
+  return quantity_text(value);
+}
+
+std::string unit_name(const Quantity& unit) {
+  for (const auto& u : units())
+    if (unit.dimension == u.dimension && unit.value == u.scale && unit.celsius == (u.name == "degC")) return u.name;
+  return unit.dimension ? unit_symbol(*unit.dimension, unit.celsius) : "";
+}
+
+}  // namespace
+
+DeckReader::DeckReader(Deck& deck, const std::map<std::string, std::string>& settings) : deck_(deck), settings_(settings) {
+  lua_State* L = deck.sandbox->state();
+  lua_pushlightuserdata(L, this);
+  lua_setfield(L, LUA_REGISTRYINDEX, reader_key);
+  lua_getfield(L, LUA_REGISTRYINDEX, "names");
+  for (const auto& noun : nouns()) {
+    lua_pushlightuserdata(L, const_cast<NounRule*>(&noun));
+    lua_pushcclosure(L, guarded<noun_called>, 1);
+    lua_setfield(L, -2, noun.name.c_str());
+  }
+  lua_newtable(L);
+  lua_pushcfunction(L, guarded<arguments_declared>);
+  lua_setfield(L, -2, "args");
+  lua_pushcfunction(L, guarded<table_read>);
+  lua_setfield(L, -2, "read_table");
+  lua_setfield(L, -2, "deck");
+  lua_pop(L, 1);
+}
+
+DeckReader& DeckReader::of(lua_State* L) {
+  lua_getfield(L, LUA_REGISTRYINDEX, reader_key);
+  void* reader = lua_touserdata(L, -1);
+  lua_pop(L, 1);
+  if (!reader) throw ScriptError("the deck has been read: a function of the results cannot declare anything");
+  return *static_cast<DeckReader*>(reader);
+}
+
+/// noun "name" {...} or noun {...}
+int DeckReader::noun_called(lua_State* L) {
+  DeckReader& reader = of(L);
+  const auto& noun = *static_cast<const NounRule*>(lua_touserdata(L, lua_upvalueindex(1)));
+  const std::string form = noun.name + (noun.naming == Naming::none ? " { ... }" : " \"name\" { ... }");
+  if (lua_type(L, 1) == LUA_TTABLE && noun.naming != Naming::required) return reader.declare(noun, "", 1);
+  if (lua_type(L, 1) != LUA_TSTRING || noun.naming == Naming::none)
+    throw ScriptError(noun.name + (noun.naming == Naming::none ? " takes no name" : lua_type(L, 1) == LUA_TTABLE ? " needs a name" : " needs a name and a table") + ": write " + form);
+  const std::string name = text_at(L, 1);
+  if (name.empty()) throw ScriptError(noun.name + ": the name is empty");
+  const int id = reader.next_open_++;
+  reader.open_[id] = {title(noun.name, name), reader.deck_.sandbox->where()};
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_pushvalue(L, 1);
+  lua_pushinteger(L, id);
+  lua_pushcclosure(L, guarded<table_given>, 3);
+  return 1;
+}
+
+int DeckReader::table_given(lua_State* L) {
+  DeckReader& reader = of(L);
+  const auto& noun = *static_cast<const NounRule*>(lua_touserdata(L, lua_upvalueindex(1)));
+  const std::string name = text_at(L, lua_upvalueindex(2));
+  if (lua_type(L, 1) != LUA_TTABLE) throw ScriptError(title(noun.name, name) + " needs a table of keys: " + noun.name + " \"" + name + "\" { ... }");
+  reader.open_.erase(static_cast<int>(lua_tointeger(L, lua_upvalueindex(3))));
+  return reader.declare(noun, name, 1);
+}
+
+int DeckReader::declare(const NounRule& noun, const std::string& name, int index) {
+  Sandbox& sandbox = *deck_.sandbox;
+  const Where here = sandbox.where();
+  if (!name.empty() || noun.name == "model") {
+    const auto [first, fresh] = declared_.emplace(std::pair(family(noun.name), noun.name == "model" ? "" : name), here);
+    if (!fresh) sandbox.complaints.add(here, title(noun.name, name) + " is declared a second time; the first is on line " + std::to_string(first->second.line));
+  }
+  int number = -1;
+  if (const auto fields = read_fields(sandbox, noun, name, index)) {
+    if (noun.name == "import_mesh") imports_.emplace_back(name, *fields);
+    else number = add_to_deck(deck_, solves_, noun, name, *fields);
+  }
+  if (noun.kind == NounKind::declaration) return 0;
+  push_handle(sandbox.state(), {noun.kind, number});
+  return 1;
+}
+
+/// deck.args { water = { default = 150, unit = m, range = {0, 200}, doc = "..." }, ... } returns { water = 150*m, ... }
+int DeckReader::arguments_declared(lua_State* L) {
+  DeckReader& reader = of(L);
+  if (lua_type(L, 1) != LUA_TTABLE) throw ScriptError("deck.args needs a table: deck.args { size = { default = 4, unit = m, doc = \"...\" } }");
+  lua_settop(L, 1);
+  lua_newtable(L);
+  std::vector<std::string> names;
+  lua_pushnil(L);
+  while (lua_next(L, 1)) {
+    lua_pop(L, 1);
+    if (lua_type(L, -1) != LUA_TSTRING) throw ScriptError("deck.args: every argument needs a name: size = { default = ... }");
+    names.push_back(text_at(L, -1));
+  }
+  std::sort(names.begin(), names.end());
+  for (const auto& name : names) {
+    lua_getfield(L, 1, name.c_str());
+    reader.add_argument(name, 3, 2);
+    lua_settop(L, 2);
+  }
+  lua_getfield(L, LUA_REGISTRYINDEX, "names");
+  lua_getfield(L, -1, "strict");
+  lua_pushvalue(L, 2);
+  lua_pushliteral(L, "argument");
+  lua_call(L, 2, 1);
+  return 1;
+}
+
+void DeckReader::add_argument(const std::string& name, int spec, int values) {
+  lua_State* L = deck_.sandbox->state();
+  const Where where = deck_.sandbox->where("args", "", name);
+  const auto refuse = [&](const std::string& message) { throw DeckError(where, "deck.args: argument '" + name + "' " + message); };
+  const std::vector<std::string> valid = {"default", "unit", "range", "doc"};
+  if (lua_type(L, spec) != LUA_TTABLE) refuse("needs a table: { default = 4, unit = m, doc = \"...\" }");
+  lua_pushnil(L);
+  while (lua_next(L, spec)) {
+    lua_pop(L, 1);
+    const std::string key = lua_type(L, -1) == LUA_TSTRING ? text_at(L, -1) : "";
+    if (std::find(valid.begin(), valid.end(), key) == valid.end()) refuse("has an unknown key '" + key + "'" + suggest_name(key, valid));
+  }
+  Argument argument;
+  argument.name = name;
+  lua_getfield(L, spec, "doc");
+  if (lua_type(L, -1) != LUA_TSTRING) refuse("needs a doc = \"what it is\"");
+  argument.doc = text_at(L, -1);
+
+  lua_getfield(L, spec, "unit");
+  Quantity unit{1, {}, false};
+  if (!lua_isnil(L, -1)) {
+    if (!to_quantity(L, -1)) refuse("has a 'unit' that is no unit; write unit = m");
+    unit = *to_quantity(L, -1);
+    argument.unit = unit_name(unit);
+  }
+  // Bare numbers are in the argument's unit.
+  const auto in_unit = [&](const Quantity& q) {
+    if (!q.dimension) return Quantity{q.value * unit.value, unit.dimension, unit.celsius};
+    if (q.dimension != unit.dimension) refuse("is " + quantity_text(q) + "; expected " + dimension_advice(unit.dimension.value_or(Dimension{})));
+    return q;
+  };
+  lua_getfield(L, spec, "default");
+  const int type = lua_type(L, -1);
+  const auto number = to_quantity(L, -1);
+  if (!number && type != LUA_TSTRING && type != LUA_TBOOLEAN) refuse("needs a default: a number, a text, true or false");
+  const auto show = [&](int index) {
+    if (auto q = to_quantity(L, index)) return argument_text(*q, argument.unit);
+    return lua_isboolean(L, index) ? std::string(lua_toboolean(L, index) ? "true" : "false") : text_at(L, index);
+  };
+  if (number) push_quantity(L, in_unit(*number));
+  argument.fallback = show(-1);
+  if (const auto setting = settings_.find(name); setting != settings_.end()) {
+    taken_.insert(name);
+    argument.set = true;
+    push_setting(name, setting->second, number ? LUA_TNUMBER : type);
+    if (number) push_quantity(L, in_unit(*to_quantity(L, -1)));
+  }
+  argument.value = show(-1);
+  const int value = lua_gettop(L);
+  lua_getfield(L, spec, "range");
+  if (!lua_isnil(L, -1)) {
+    double ends[2];
+    for (int i = 0; i < 2; ++i) {
+      if (!number || lua_type(L, value + 1) != LUA_TTABLE) refuse("has a 'range' that is not { lowest, highest }");
+      lua_geti(L, value + 1, i + 1);
+      if (!to_quantity(L, -1)) refuse("has a 'range' that is not { lowest, highest }");
+      ends[i] = in_unit(*to_quantity(L, -1)).value;
+    }
+    const double found = to_quantity(L, value)->value;
+    if (!(found >= ends[0] && found <= ends[1]))
+      refuse("is " + argument.value + "; its range is " + argument_text({ends[0], unit.dimension, unit.celsius}, argument.unit) + " to " +
+             argument_text({ends[1], unit.dimension, unit.celsius}, argument.unit));
+  }
+  argument_names_.insert(name);
+  deck_.arguments.push_back(argument);
+  lua_pushvalue(L, value);
+  lua_setfield(L, values, name.c_str());
+}
+
+void DeckReader::push_setting(const std::string& name, const std::string& text, int type) {
+  lua_State* L = deck_.sandbox->state();
+  const std::string given = "--set " + name + "=" + text;
+  if (type == LUA_TSTRING) return push(L, text);
+  const std::string expression = "return " + text;
+  if (luaL_loadbufferx(L, expression.data(), expression.size(), ("=" + given).c_str(), "t") != LUA_OK)
+    throw DeckError({}, given + ": the value is not an expression such as 155 or 2*m");
+  lua_call(L, 0, 1);
+  if (type == LUA_TBOOLEAN ? !lua_isboolean(L, -1) : !to_quantity(L, -1))
+    throw DeckError({}, given + ": expected " + (type == LUA_TBOOLEAN ? "true or false" : "a number or a quantity such as 2*m"));
+}
+
+/// deck.read_table "air.csv": columns by the names of the first line, { time = {...}, air = {...} }.
+int DeckReader::table_read(lua_State* L) {
+  DeckReader& reader = of(L);
+  const std::string path = reader.deck_.sandbox->data_file(luaL_checkstring(L, 1));
+  reader.deck_.files.push_back(path);
+  std::ifstream file(path);
+  std::vector<std::string> names;
+  lua_newtable(L);
+  int line_number = 0, row = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++line_number;
+    if (line.empty() || line[0] == '#' || line == "\r") continue;
+    std::istringstream cells(line);
+    std::size_t column = 0;
+    if (!names.empty()) ++row;
+    for (std::string cell; std::getline(cells, cell, ','); ++column) {
+      cell.erase(0, cell.find_first_not_of(" \t\r\""));
+      cell.erase(cell.find_last_not_of(" \t\r\"") + 1);
+      const Where where{path, line_number};
+      if (row == 0) {
+        names.push_back(cell);
+        lua_newtable(L);
+        lua_setfield(L, -2, cell.c_str());
+        continue;
+      }
+      if (column >= names.size()) throw DeckError(where, "more values than the " + std::to_string(names.size()) + " columns of the first line");
+      char* end = nullptr;
+      const double value = std::strtod(cell.c_str(), &end);
+      if (cell.empty() || *end || !std::isfinite(value)) throw DeckError(where, "column '" + names[column] + "': '" + cell + "' is not a number");
+      lua_getfield(L, -1, names[column].c_str());
+      lua_pushnumber(L, value);
+      lua_rawseti(L, -2, row);
+      lua_pop(L, 1);
+    }
+    if (row > 0 && column < names.size()) throw DeckError({path, line_number}, "fewer values than the " + std::to_string(names.size()) + " columns of the first line");
+  }
+  if (row == 0) throw DeckError({path, 1}, "no rows; expected a line of column names and rows of numbers, separated by commas");
+  return 1;
+}
+
+void DeckReader::finish() {
+  Complaints& complaints = deck_.sandbox->complaints;
+  for (const auto& [id, call] : open_) complaints.add(call.second, call.first + ": no table follows the name; write { ... } after it");
+  const std::vector<std::string> names(argument_names_.begin(), argument_names_.end());
+  for (const auto& [name, text] : settings_)
+    if (!taken_.contains(name))
+      complaints.add({}, "--set " + name + "=" + text + ": " + (names.empty() ? "this deck has no arguments (deck.args)" : "no argument '" + name + "'" + suggest_name(name, names)));
+  lua_State* L = deck_.sandbox->state();
+  lua_pushnil(L);
+  lua_setfield(L, LUA_REGISTRYINDEX, reader_key);
+}
+
+void DeckReader::read_meshes() {
+  Complaints& complaints = deck_.sandbox->complaints;
+  for (const auto& [name, fields] : imports_) {
+    const std::filesystem::path given = fields.text("file");
+    const Where where = fields.at("file");
+    const std::string path = (std::filesystem::path(where.file).parent_path() / given).string();
+    std::error_code ignored;
+    if (given.is_absolute() || !std::filesystem::is_regular_file(path, ignored)) {
+      complaints.add(where, title("import_mesh", name) + ": " +
+                                (given.is_absolute() ? "'" + given.string() + "' is an absolute path; give it relative to the deck"
+                                                     : "there is no mesh file '" + path + "' (paths are relative to the deck)"));
+      continue;
+    }
+    deck_.files.push_back(path);
+    try {
+      ImportedMesh import{name, fields.where, path, read_mesh(path, where)};
+      for (auto& point : import.mesh.points) point = fields.number("unit") * point;
+      const auto rename = [&](const char* key, auto& items, auto name_of) {
+        if (!fields.has(key)) return;
+        std::vector<std::string> valid;
+        for (auto& item : items) valid.push_back(name_of(item));
+        for (const auto& [old, fresh] : fields.renames(key)) {
+          const auto found = std::find(valid.begin(), valid.end(), old);
+          if (found == valid.end())
+            complaints.add(fields.at(key), title("import_mesh", name) + ": '" + key + "' renames '" + old + "', which " + path + " does not have" + suggest_name(old, valid));
+          else
+            name_of(items[found - valid.begin()]) = fresh;
+        }
+      };
+      rename("regions", import.mesh.region_names, [](std::string& region) -> std::string& { return region; });
+      rename("surfaces", import.mesh.surfaces, [](Surface& surface) -> std::string& { return surface.name; });
+      deck_.model.imports.push_back(std::move(import));
+    } catch (const DeckError& error) {
+      for (const auto& line : error.lines()) complaints.add({}, line);
+    }
+  }
+}
+
+Deck read_deck(const std::string& path, const std::map<std::string, std::string>& settings, const ScriptLimits& limits) {
+  Deck deck;
+  deck.path = path;
+  deck.sandbox = std::make_shared<Sandbox>(path, limits);
+  deck.model.where = {path, 1};
+  DeckReader reader(deck, settings);
+  try {
+    deck.sandbox->run_deck();
+    reader.finish();
+  } catch (const DeckError& error) {
+    for (const auto& line : error.lines()) deck.sandbox->complaints.add({}, line);
+  }
+  deck.sandbox->complaints.raise();
+  const auto sources = deck.sandbox->sources();
+  deck.files.insert(deck.files.begin(), sources.begin(), sources.end());
+  reader.read_meshes();
+  deck.sandbox->complaints.raise();
+  return deck;
+}
+
+}  // namespace ashlar

@@ -1,0 +1,386 @@
+#include "script/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/nearest_name.hpp"
+
+namespace ashlar {
+namespace {
+
+constexpr const char* handle_type = "ashlar handle";
+
+std::string describe(lua_State* L, int index) {
+  if (auto q = to_quantity(L, index)) return quantity_text(*q);
+  if (lua_type(L, index) == LUA_TSTRING) return "\"" + text_at(L, index) + "\"";
+  if (lua_type(L, index) == LUA_TBOOLEAN) return lua_toboolean(L, index) ? "true" : "false";
+  if (luaL_testudata(L, index, handle_type)) return "a condition or solve";
+  return std::string("a ") + luaL_typename(L, index);
+}
+
+std::string range_text(const KeyRule& rule) {
+  const std::string unit = unit_symbol(rule.dimension, rule.dimension == dimension::temperature);
+  const auto with_unit = [&](double v) { return number_text(v) + (unit.empty() ? "" : " " + unit); };
+  const bool low = std::isfinite(rule.range.low), high = std::isfinite(rule.range.high);
+  if (low && high) return (rule.range.open_low ? "more than " : "at least ") + with_unit(rule.range.low) + " and at most " + with_unit(rule.range.high);
+  if (low) return (rule.range.open_low ? "more than " : "at least ") + with_unit(rule.range.low);
+  return "at most " + with_unit(rule.range.high);
+}
+
+std::string expected(const KeyRule& rule) {
+  switch (rule.type) {
+    case KeyType::number: return rule.any_dimension ? "a number" : rule.dimension == Dimension{} ? "a number" : dimension_advice(rule.dimension);
+    case KeyType::integer: return "a whole number";
+    case KeyType::flag: return "true or false";
+    case KeyType::text: return "a text in quotes";
+    case KeyType::choice: return "a text in quotes";
+    case KeyType::choices: return "a text or a list of texts: { \"a\", \"b\" }";
+    case KeyType::names: return "a name or a list of names: { \"a\", \"b\" }";
+    case KeyType::vector: return "{ x, y, z }";
+    case KeyType::field: return dimension_advice(rule.dimension) + ", or a function(x, y, z)";
+    case KeyType::outline: return "a list of at least three corners { x, z }";
+    case KeyType::vectors: return "two vectors { {x, y, z}, {x, y, z} }";
+    case KeyType::integers: return "a list of whole numbers { 1, 2, 3 }";
+    case KeyType::counts: return "whole numbers with whole keys: { [1] = 4 }";
+    case KeyType::renames: return "a table { old = \"new\" }";
+    case KeyType::interval: return "{ lowest, highest }";
+    case KeyType::zero: return "0 (a given movement is what 'displacement' is for)";
+    case KeyType::solve: return "static {...}, thermal {...} or fracture {...}";
+    case KeyType::conditions: return "a list of conditions such as convection {...}";
+    case KeyType::function: return "a function(result)";
+  }
+  return "";
+}
+
+}  // namespace
+
+void push_handle(lua_State* L, const Handle& handle) {
+  new (lua_newuserdatauv(L, sizeof(Handle), 0)) Handle(handle);
+  luaL_newmetatable(L, handle_type);
+  lua_setmetatable(L, -2);
+}
+
+std::string title(const std::string& noun, const std::string& name) {
+  return name.empty() ? noun : noun + " '" + name + "'";
+}
+
+std::optional<double> Fields::maybe(const std::string& key) const { return has(key) ? std::optional(number(key)) : std::nullopt; }
+std::vector<double> Fields::numbers(const std::string& key) const {
+  std::vector<double> all;
+  if (has(key))
+    for (const auto& q : values_.at(key).quantities) all.push_back(q.value);
+  return all;
+}
+Vec3<double> Fields::vector(const std::string& key, int i) const {
+  const auto& q = values_.at(key).quantities;
+  return {q.at(3 * i).value, q.at(3 * i + 1).value, q.at(3 * i + 2).value};
+}
+std::vector<std::string> Fields::texts(const std::string& key) const {
+  return has(key) ? values_.at(key).texts : std::vector<std::string>{};
+}
+std::optional<Value> Fields::maybe_value(const std::string& key) const {
+  return has(key) ? std::optional(value(key)) : std::nullopt;
+}
+Where Fields::at(const std::string& key) const { return has(key) ? values_.at(key).where : where; }
+
+std::string number_complaint(const KeyRule& rule, const Quantity& q) {
+  if (!std::isfinite(q.value)) return "is not a finite number (" + number_text(q.value) + ")";
+  if (rule.any_dimension) return "";
+  const std::string found = "is " + quantity_text(q);
+  if (q.dimension && *q.dimension != rule.dimension) return found + "; expected " + dimension_advice(rule.dimension);
+  if (rule.dimension == dimension::temperature && q.dimension && !q.celsius)
+    return found + "; temperatures are in degrees Celsius: write " + number_text(q.value - 273.15) + "*degC for this absolute temperature";
+  if (rule.range.contains(q.value)) return "";
+  const bool angle = rule.dimension == Dimension{} && rule.doc.find("deg") != std::string::npos;
+  return found + "; expected " + range_text(rule) + (angle ? "; angles are in radians: write " + number_text(q.value) + "*deg" : "");
+}
+
+class FieldReader {
+ public:
+  FieldReader(Sandbox& sandbox, const NounRule& noun, const std::string& name)
+      : sandbox_(sandbox), L_(sandbox.state()), noun_(noun), name_(name) {}
+
+  std::optional<Fields> read(int table) {
+    fields_.where = sandbox_.where();
+    auto rules = noun_.keys;
+    const auto laws = laws_of(noun_);
+    const LawDoc* law = nullptr;
+    if (!laws.empty()) {
+      auto& choice = *std::find_if(rules.begin(), rules.end(), [](const KeyRule& r) { return r.name == "law"; });
+      for (const auto& l : laws) choice.choices.push_back(l.name);
+      choice.required = choice.fallback_text.empty();
+      lua_getfield(L_, table, "law");
+      const std::string chosen = lua_isnil(L_, -1) ? choice.fallback_text : lua_type(L_, -1) == LUA_TSTRING ? text_at(L_, -1) : "";
+      lua_pop(L_, 1);
+      for (const auto& l : laws)
+        if (l.name == chosen) law = &l;
+      if (law)
+        for (const auto& key : law->keys) rules.push_back(rule_of(key));
+    }
+    unknown_keys(table, rules, laws, law);
+    for (const auto& rule : rules) {
+      lua_getfield(L_, table, rule.name.c_str());
+      if (lua_isnil(L_, -1))
+        absent(rule);
+      else
+        present(rule, lua_gettop(L_));
+      lua_pop(L_, 1);
+    }
+    if (law)
+      for (const auto& key : law->keys)
+        if (fields_.has(key.name)) fields_.law_values[key.name] = fields_.number(key.name);
+    std::stable_sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.first.line < b.first.line; });
+    for (const auto& [where, message] : found_) sandbox_.complaints.add(where, message);
+    if (!found_.empty()) return std::nullopt;
+    return fields_;
+  }
+
+ private:
+  void complain(const std::string& key, const std::string& message) {
+    const Where where = key.empty() ? fields_.where : sandbox_.where(noun_.name, name_, key);
+    found_.emplace_back(where, title(noun_.name, name_) + ": " + message);
+  }
+
+  void unknown_keys(int table, const std::vector<KeyRule>& rules, const std::vector<LawDoc>& laws, const LawDoc* law) {
+    std::vector<std::string> valid;
+    for (const auto& rule : rules) valid.push_back(rule.name);
+    lua_pushnil(L_);
+    while (lua_next(L_, table)) {
+      lua_pop(L_, 1);
+      if (lua_type(L_, -1) != LUA_TSTRING) {
+        const auto position = to_quantity(L_, -1);
+        complain(position ? number_text(position->value) : "", "a value without a key; write key = value (keys: " + list(valid) + ")");
+        continue;
+      }
+      const std::string key = text_at(L_, -1);
+      if (std::find(valid.begin(), valid.end(), key) != valid.end()) continue;
+      std::string owners;
+      for (const auto& l : laws)
+        for (const auto& k : l.keys)
+          if (k.name == key) owners += (owners.empty() ? "" : ", ") + ("\"" + l.name + "\"");
+      if (!laws.empty() && !law) {
+        if (!owners.empty()) continue;  // the law itself is missing or wrong: its keys cannot be judged
+        complain(key, "unknown key '" + key + "'");
+      } else if (!owners.empty()) {
+        complain(key, "key '" + key + "' does not belong to law \"" + law->name + "\" but to " + owners);
+      } else {
+        complain(key, "unknown key '" + key + "'" + suggest_name(key, valid));
+      }
+    }
+  }
+
+  static std::string list(const std::vector<std::string>& names) {
+    std::string all;
+    for (const auto& name : names) all += (all.empty() ? "" : ", ") + name;
+    return all;
+  }
+
+  void absent(const KeyRule& rule) {
+    if (rule.required) {
+      const std::string unit = unit_symbol(rule.dimension, rule.dimension == dimension::temperature);
+      std::string what = rule.choices.empty() ? rule.doc : "one of " + list(rule.choices);
+      complain("", "missing '" + rule.name + "'" + (unit.empty() ? "" : " [" + unit + "]") + ": " + what);
+    } else if (rule.fallback) {
+      auto& field = fields_.values_[rule.name];
+      field.quantities = {{*rule.fallback, rule.dimension, false}};
+      field.value.constant = *rule.fallback;
+      field.where = fields_.where;
+    } else if (!rule.fallback_text.empty()) {
+      auto& field = fields_.values_[rule.name];
+      field.texts = {rule.fallback_text};
+      field.where = fields_.where;
+    }
+  }
+
+  /// Complaint about the whole value of a key.
+  void wrong(const KeyRule& rule, int index) { complain(rule.name, "'" + rule.name + "' is " + describe(L_, index) + "; expected " + expected(rule)); }
+
+  bool read_number(const KeyRule& rule, int index, const std::string& path, std::vector<Quantity>& into) {
+    const auto q = to_quantity(L_, index);
+    if (!q) {
+      complain(path, "'" + path + "' is " + describe(L_, index) + "; expected " + expected(rule));
+      return false;
+    }
+    const std::string complaint = number_complaint(rule, *q);
+    if (!complaint.empty()) complain(path, "'" + path + "' " + complaint);
+    into.push_back(*q);
+    return complaint.empty();
+  }
+
+  bool read_whole(const KeyRule& rule, int index, const std::string& path, std::vector<Quantity>& into) {
+    if (lua_type(L_, index) != LUA_TNUMBER || lua_tonumber(L_, index) != std::floor(lua_tonumber(L_, index))) {
+      complain(path, "'" + path + "' is " + describe(L_, index) + "; expected a whole number");
+      return false;
+    }
+    return read_number(rule, index, path, into);
+  }
+
+  /// Elements of a list of `count` numbers (any count if 0); complains and returns false if it is none.
+  bool read_list(const KeyRule& rule, int index, const std::string& path, int count, bool whole, std::vector<Quantity>& into) {
+    KeyRule element = rule;
+    element.type = KeyType::number;
+    const int size = lua_type(L_, index) == LUA_TTABLE ? static_cast<int>(lua_rawlen(L_, index)) : -1;
+    if (size < 0 || (count > 0 && size != count)) {
+      complain(path, "'" + path + "' is " + (size < 0 ? describe(L_, index) : "a table with " + std::to_string(size) + " values") + "; expected " +
+                         (count == 2 ? "two values" : count == 3 ? "{ x, y, z }" : expected(rule)));
+      return false;
+    }
+    bool good = true;
+    for (int i = 1; i <= size; ++i) {
+      lua_rawgeti(L_, index, i);
+      const std::string place = path + "." + std::to_string(i);
+      good &= whole ? read_whole(element, lua_gettop(L_), place, into) : read_number(element, lua_gettop(L_), place, into);
+      lua_pop(L_, 1);
+    }
+    return good;
+  }
+
+  bool read_texts(const KeyRule& rule, int index, std::vector<std::string>& into) {
+    if (lua_type(L_, index) == LUA_TSTRING) {
+      into.push_back(text_at(L_, index));
+      return true;
+    }
+    if (lua_type(L_, index) != LUA_TTABLE || lua_rawlen(L_, index) == 0) return wrong(rule, index), false;
+    for (int i = 1; i <= static_cast<int>(lua_rawlen(L_, index)); ++i) {
+      lua_rawgeti(L_, index, i);
+      const bool text = lua_type(L_, -1) == LUA_TSTRING;
+      if (text) into.push_back(text_at(L_, -1));
+      else complain(rule.name, "'" + rule.name + "' holds " + describe(L_, lua_gettop(L_)) + "; expected " + expected(rule));
+      lua_pop(L_, 1);
+      if (!text) return false;
+    }
+    return true;
+  }
+
+  void check_choices(const KeyRule& rule, const std::vector<std::string>& texts) {
+    for (const auto& text : texts)
+      if (std::find(rule.choices.begin(), rule.choices.end(), text) == rule.choices.end())
+        complain(rule.name, "'" + rule.name + "' has no choice \"" + text + "\"" + suggest_name(text, rule.choices));
+  }
+
+  /// Handles in a list, lists inside lists included.
+  void read_handles(const KeyRule& rule, int index, NounKind kind, std::vector<int>& into) {
+    if (auto* handle = static_cast<Handle*>(luaL_testudata(L_, index, handle_type)); handle && handle->kind == kind) {
+      if (handle->index >= 0) into.push_back(handle->index);
+    } else if (kind == NounKind::condition && lua_type(L_, index) == LUA_TTABLE) {
+      luaL_checkstack(L_, 4, "apply: lists too deep");
+      for (int i = 1; i <= static_cast<int>(lua_rawlen(L_, index)); ++i) {
+        lua_rawgeti(L_, index, i);
+        read_handles(rule, lua_gettop(L_), kind, into);
+        lua_pop(L_, 1);
+      }
+    } else {
+      wrong(rule, index);
+    }
+  }
+
+  Value function_value(const KeyRule& rule, int index) {
+    lua_pushvalue(L_, index);
+    const int reference = luaL_ref(L_, LUA_REGISTRYINDEX);
+    const std::string what = title(noun_.name, name_) + ": '" + rule.name + "'";
+    Value value;
+    value.at = [sandbox = sandbox_.shared_from_this(), reference, rule, what, where = fields_.at(rule.name)](const Vec3<double>& p) {
+      const std::lock_guard lock(sandbox->busy);
+      lua_State* L = sandbox->state();
+      lua_rawgeti(L, LUA_REGISTRYINDEX, reference);
+      for (int i = 0; i < 3; ++i) lua_pushnumber(L, p[i]);
+      sandbox->call(3, 1, sandbox->limits.instructions / 10, where.prefix() + what);
+      const auto q = to_quantity(L, -1);
+      const std::string found = q ? number_complaint(rule, *q) : "is " + describe(L, lua_gettop(L)) + "; expected " + dimension_advice(rule.dimension);
+      lua_pop(L, 1);
+      if (!found.empty())
+        throw DeckError(where, what + " at (" + number_text(p.x) + ", " + number_text(p.y) + ", " + number_text(p.z) + ") " + found);
+      return q->value;
+    };
+    return value;
+  }
+
+  void present(const KeyRule& rule, int index) {
+    auto& field = fields_.values_[rule.name];
+    field.where = sandbox_.where(noun_.name, name_, rule.name);
+    const int type = lua_type(L_, index);
+    switch (rule.type) {
+      case KeyType::number: read_number(rule, index, rule.name, field.quantities); break;
+      case KeyType::integer: read_whole(rule, index, rule.name, field.quantities); break;
+      case KeyType::flag:
+        if (type != LUA_TBOOLEAN) wrong(rule, index);
+        field.quantities = {{static_cast<double>(lua_toboolean(L_, index)), {}, false}};
+        break;
+      case KeyType::zero: {
+        const auto q = to_quantity(L_, index);
+        if ((!q || q->value != 0) && !(type == LUA_TBOOLEAN && lua_toboolean(L_, index))) wrong(rule, index);
+        break;
+      }
+      case KeyType::text:
+      case KeyType::choice:
+        if (type != LUA_TSTRING) return wrong(rule, index);
+        field.texts = {text_at(L_, index)};
+        if (rule.type == KeyType::choice) check_choices(rule, field.texts);
+        break;
+      case KeyType::names: read_texts(rule, index, field.texts); break;
+      case KeyType::choices:
+        if (read_texts(rule, index, field.texts)) check_choices(rule, field.texts);
+        break;
+      case KeyType::field:
+        if (type == LUA_TFUNCTION) field.value = function_value(rule, index);
+        else if (read_number(rule, index, rule.name, field.quantities)) field.value.constant = field.quantities[0].value;
+        break;
+      case KeyType::vector: read_list(rule, index, rule.name, 3, false, field.quantities); break;
+      case KeyType::interval: read_list(rule, index, rule.name, 2, false, field.quantities); break;
+      case KeyType::integers: read_list(rule, index, rule.name, 0, true, field.quantities); break;
+      case KeyType::outline:
+      case KeyType::vectors: {
+        const bool outline = rule.type == KeyType::outline;
+        const int size = type == LUA_TTABLE ? static_cast<int>(lua_rawlen(L_, index)) : 0;
+        if (outline ? size < 3 : size != 2) return wrong(rule, index);
+        KeyRule element = rule;
+        for (int i = 1; i <= size; ++i) {
+          lua_rawgeti(L_, index, i);
+          // A plane is a point and a direction: the direction is a plain vector.
+          if (rule.name == "plane" && i == 2) element.dimension = dimension::none;
+          read_list(element, lua_gettop(L_), rule.name + "." + std::to_string(i), outline ? 2 : 3, false, field.quantities);
+          lua_pop(L_, 1);
+        }
+        break;
+      }
+      case KeyType::counts:
+      case KeyType::renames: {
+        if (type != LUA_TTABLE) return wrong(rule, index);
+        const bool counts = rule.type == KeyType::counts;
+        lua_pushnil(L_);
+        while (lua_next(L_, index)) {
+          const bool right = counts ? lua_isinteger(L_, -2) && lua_isinteger(L_, -1) && lua_tointeger(L_, -1) > 0
+                                    : lua_type(L_, -2) == LUA_TSTRING && lua_type(L_, -1) == LUA_TSTRING;
+          if (!right) {
+            lua_pop(L_, 2);
+            return wrong(rule, index);
+          }
+          lua_pushvalue(L_, -2);  // lua_tolstring changes numbers in place
+          field.renames[text_at(L_, -1)] = text_at(L_, -2);
+          lua_pop(L_, 2);
+        }
+        break;
+      }
+      case KeyType::solve: read_handles(rule, index, NounKind::solve, field.handles); break;
+      case KeyType::conditions: read_handles(rule, index, NounKind::condition, field.handles); break;
+      case KeyType::function:
+        if (type != LUA_TFUNCTION) return wrong(rule, index);
+        lua_pushvalue(L_, index);
+        field.function.reference = luaL_ref(L_, LUA_REGISTRYINDEX);
+        break;
+    }
+  }
+
+  Sandbox& sandbox_;
+  lua_State* L_;
+  const NounRule& noun_;
+  const std::string name_;
+  Fields fields_;
+  std::vector<std::pair<Where, std::string>> found_;
+};
+
+std::optional<Fields> read_fields(Sandbox& sandbox, const NounRule& noun, const std::string& name, int index) {
+  return FieldReader(sandbox, noun, name).read(index);
+}
+
+}  // namespace ashlar

@@ -1,0 +1,136 @@
+#include "base/nearest_name.hpp"
+#include "script/deck.hpp"
+#include "script/quantity.hpp"
+#include "script/schema.hpp"
+
+namespace ashlar {
+namespace {
+
+constexpr std::size_t width = 100;
+
+std::string padded(std::string text, std::size_t size) {
+  text.resize(std::max(text.size() + 1, size), ' ');
+  return text;
+}
+
+/// `text` broken at spaces; lines after the first start with `indent` spaces, the first is already `used` wide.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t used) {
+  std::string all;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = text.find(' ', at);
+    if (end == std::string::npos) end = text.size();
+    if (used + (end - at) > width && used > indent) {
+      all += "\n" + std::string(indent, ' ');
+      used = indent;
+    }
+    all += text.substr(at, end - at) + (end < text.size() ? " " : "");
+    used += end - at + 1;
+    at = end + 1;
+  }
+  return all;
+}
+
+std::string form(const KeyRule& k) {
+  const std::string unit = unit_symbol(k.dimension, k.dimension == dimension::temperature);
+  switch (k.type) {
+    case KeyType::number: return k.any_dimension ? "value" : unit.empty() ? "number" : unit;
+    case KeyType::integer: return "whole";
+    case KeyType::flag: return "true/false";
+    case KeyType::text: return "text";
+    case KeyType::choice: return "choice";
+    case KeyType::choices: return "choices";
+    case KeyType::names: return "name(s)";
+    case KeyType::vector: return unit.empty() ? "{x,y,z}" : "{x,y,z} " + unit;
+    case KeyType::field: return unit + " or function";
+    case KeyType::outline: return "{{x,z},...} " + unit;
+    case KeyType::vectors: return "{{x,y,z},{x,y,z}}";
+    case KeyType::integers: return "{1,2,...}";
+    case KeyType::counts: return "{[1]=4,...}";
+    case KeyType::renames: return "{old=\"new\"}";
+    case KeyType::interval: return "{low,high}";
+    case KeyType::zero: return "0";
+    case KeyType::solve: return "solve";
+    case KeyType::conditions: return "list";
+    case KeyType::function: return "function";
+  }
+  return "";
+}
+
+std::string key_line(const KeyRule& k) {
+  std::string line = padded("  " + k.name, 24) + padded(form(k), 20);
+  std::string doc = k.doc;
+  if (!k.choices.empty()) {
+    doc += ": ";
+    for (const auto& choice : k.choices) doc += (&choice == &k.choices.front() ? "\"" : ", \"") + choice + "\"";
+  }
+  if (k.required) doc += " (required)";
+  else if (!k.fallback_text.empty()) doc += " (default \"" + k.fallback_text + "\")";
+  else if (k.fallback && k.type == KeyType::flag) doc += *k.fallback != 0 ? " (default true)" : " (default false)";
+  else if (k.fallback) doc += " (default " + number_text(*k.fallback) + ")";
+  return line + wrapped(doc, 44, line.size()) + "\n";
+}
+
+std::string help_units() {
+  std::string all = "Unit constants. Bare numbers are SI; temperatures are degrees Celsius.\n\n";
+  for (const auto& unit : units()) all += padded("  " + unit.name, 14) + unit.doc + "\n";
+  return all + "\nUse them in products: 30*GPa, 2.6*W/(m*K), 42*deg. Sums of different dimensions are errors.\n";
+}
+
+std::string help_functions() {
+  return R"(Functions of the deck language, beside Lua's own table, string, math and utf8.
+
+  deck.args { size = { default = 4, unit = m, range = {1, 20}, doc = "element size" } }
+      declares arguments and returns their values; ashlar run dam.lua --set size=2 changes one.
+      Bare numbers are in the argument's unit. Defaults may be texts, true or false too.
+  deck.read_table "air.csv"
+      columns of numbers by the names in the first line: air.time[1], air.temperature[1].
+      The file lies beside the file that names it, or below.
+  interpolate(places, values, x)
+      value at x of the polyline through the points; places ascend; constant beyond the ends.
+  pairs(t)
+      visits keys in a fixed order: numbers, then texts, each ascending.
+  strict(t, "what")
+      t, which from then on answers a wrong key with the right ones.
+  require "seasons"
+      runs seasons.lua beside the deck, once, and returns what it returns.
+)";
+}
+
+}  // namespace
+
+std::string help_index() {
+  std::string all = "Nouns of the deck language; `ashlar help NOUN` shows the keys.\n\n";
+  for (const auto& noun : nouns()) {
+    const std::string line = padded("  " + noun.name, 24);
+    all += line + wrapped(noun.doc.substr(0, noun.doc.find(". ")), 24, line.size()) + "\n";
+  }
+  return all + "\n  units                 unit constants\n  functions             deck.args, deck.read_table, interpolate, ...\n";
+}
+
+std::string help(const std::string& name) {
+  if (name == "units") return help_units();
+  if (name == "functions") return help_functions();
+  const NounRule* noun = find_noun(name);
+  if (!noun) {
+    std::vector<std::string> valid = {"units", "functions"};
+    for (const auto& n : nouns()) valid.push_back(n.name);
+    throw DeckError({}, "help: there is no noun '" + name + "'" + suggest_name(name, valid));
+  }
+  std::string all = noun->name + (noun->naming == Naming::required   ? " \"name\" { ... }"
+                                  : noun->naming == Naming::optional ? " \"name\" { ... }   or   " + noun->name + " { ... }"
+                                                                     : " { ... }") +
+                    "\n\n" + wrapped(noun->doc, 0, 0) + "\n\n";
+  auto keys = noun->keys;
+  const auto laws = laws_of(*noun);
+  for (auto& key : keys)
+    if (key.name == "law")
+      for (const auto& law : laws) key.choices.push_back(law.name);
+  for (const auto& key : keys) all += key_line(key);
+  for (const auto& law : laws) {
+    all += "\nlaw = \"" + law.name + "\": " + wrapped(law.doc, 4, law.name.size() + 10) + "\n";
+    for (const auto& key : law.keys) all += key_line(rule_of(key));
+  }
+  return all + "\nExample\n  " + noun->example + "\n";
+}
+
+}  // namespace ashlar

@@ -1,0 +1,270 @@
+#include <algorithm>
+#include <cmath>
+
+#include "base/nearest_name.hpp"
+#include "script/deck_reader.hpp"
+
+namespace ashlar {
+namespace {
+
+using Solve = std::variant<StaticSolve, ThermalSolve, FractureSolve>;
+
+/// One noun call on its way into the model.
+struct Call {
+  Deck& deck;
+  std::vector<Solve>& solves;
+  const NounRule& noun;
+  const std::string& name;
+  const Fields& fields;
+
+  Model& model() const { return deck.model; }
+  void complain(const std::string& key, const std::string& message) const {
+    deck.sandbox->complaints.add(fields.at(key), title(noun.name, name) + ": " + message);
+  }
+  /// Exactly one of the keys must be given.
+  bool one_of(const std::vector<std::string>& keys) const {
+    std::string all;
+    int given = 0;
+    for (const auto& key : keys) {
+      all += (all.empty() ? "'" : &key == &keys.back() ? " or '" : ", '") + key + "'";
+      given += fields.has(key);
+    }
+    if (given != 1) complain("", (given ? "give only one of " : "give ") + all);
+    return given == 1;
+  }
+};
+
+Shape shape(const Fields& f) {
+  const auto text = f.text("elements");
+  return text == "wedge6" ? Shape::wedge6 : text == "tet4" ? Shape::tet4 : Shape::hex8;
+}
+
+int add_extrude(const Call& c) {
+  const Fields& f = c.fields;
+  Extrude e;
+  e.name = c.name;
+  e.where = f.where;
+  const auto section = f.numbers("section");
+  for (std::size_t i = 0; i + 1 < section.size(); i += 2) e.section.push_back({section[i], section[i + 1]});
+  e.y0 = f.number("from");
+  e.length = f.number("length");
+  e.size = f.number("size");
+  e.layer_size = f.maybe("layer_size").value_or(0);
+  e.layers = static_cast<int>(f.maybe("layers").value_or(0));
+  for (double corner : f.numbers("corners")) e.corners.push_back(static_cast<int>(corner));
+  if (f.has("corners") && (e.corners.size() != 4 || *std::max_element(e.corners.begin(), e.corners.end()) > static_cast<int>(e.section.size())))
+    c.complain("corners", "'corners' names four points of the section, counted from 1 to " + std::to_string(e.section.size()));
+  if (f.has("divisions"))
+    for (const auto& [side, count] : f.renames("divisions")) {
+      e.divisions[std::stoi(side)] = std::stoi(count);
+      if (side.size() != 1 || side[0] < '1' || side[0] > '4') c.complain("divisions", "'divisions' has no side " + side + "; sides are 1 to 4");
+    }
+  e.grade = f.number("grade");
+  e.shape = shape(f);
+  c.model().extrudes.push_back(e);
+  return 0;
+}
+
+int add_box(const Call& c) {
+  const Fields& f = c.fields;
+  Box box;
+  box.name = c.name;
+  box.where = f.where;
+  box.shape = shape(f);
+  const auto from = f.vector("from"), to = f.vector("to");
+  const auto cells = f.numbers("cells");
+  if (!c.one_of({"cells", "size"})) return 0;
+  if (f.has("cells") && cells.size() != 3) return c.complain("cells", "'cells' is three whole numbers, along x, y and z"), 0;
+  for (int i = 0; i < 3; ++i) {
+    box.from[i] = from[i];
+    box.to[i] = to[i];
+    if (!(from[i] < to[i]))
+      c.complain("to", std::string("'to' must be larger than 'from' along ") + "xyz"[i] + "; they are " + number_text(to[i]) + " and " + number_text(from[i]));
+    const double count = f.has("cells") ? cells[i] : std::max(1.0, std::round((to[i] - from[i]) / f.number("size")));
+    if (count > 1e6) c.complain("size", "'size' gives " + number_text(count) + " elements along one side");
+    box.cells[i] = static_cast<int>(std::min(count, 1e6));
+  }
+  c.model().boxes.push_back(box);
+  return 0;
+}
+
+int add_surface(const Call& c) {
+  const Fields& f = c.fields;
+  SurfaceChoice s;
+  s.name = c.name;
+  s.where = f.where;
+  s.of = f.texts("of");
+  s.side = f.texts("side");
+  s.group = f.texts("group");
+  if (f.has("facing")) s.facing = f.vector("facing");
+  if (s.facing && norm(*s.facing) == 0) c.complain("facing", "'facing' is no direction: all three values are 0");
+  s.within = f.number("within");
+  if (f.has("box")) s.box = {f.vector("box", 0), f.vector("box", 1)};
+  if (f.has("plane")) {
+    s.plane = {f.vector("plane", 0), f.vector("plane", 1)};
+    if (norm(s.plane->second) == 0) c.complain("plane", "the normal of 'plane' is no direction: all three values are 0");
+  }
+  c.model().surfaces.push_back(s);
+  return 0;
+}
+
+int add_interface(const Call& c) {
+  const bool joint = c.noun.name == "joint";
+  Interface i{c.name, c.fields.where, !joint, c.fields.texts(joint ? "between" : "region"), c.fields.text("law"), c.fields.law_values};
+  if (joint && (i.regions.size() != 2 || i.regions[0] == i.regions[1]))
+    c.complain("between", "'between' names two different regions: { \"dam\", \"rock\" }");
+  c.model().interfaces.push_back(i);
+  return 0;
+}
+
+Condition::Kind condition_kind(const Call& c) {
+  const Fields& f = c.fields;
+  const std::string& noun = c.noun.name;
+  if (noun == "fix") {
+    const Fix fix{f.has("x"), f.has("y"), f.has("z"), f.flag("normal")};
+    if (!fix.x && !fix.y && !fix.z && !fix.normal) c.complain("", "holds nothing; give x = 0, y = 0, z = 0 or normal = true");
+    return fix;
+  }
+  if (noun == "displacement") {
+    if (!f.has("x") && !f.has("y") && !f.has("z")) c.complain("", "moves nothing; give x, y or z");
+    return Displacement{f.maybe_value("x"), f.maybe_value("y"), f.maybe_value("z")};
+  }
+  if (noun == "gravity") {
+    const Gravity gravity{{f.number("x"), f.number("y"), f.number("z")}};
+    if (norm(gravity.acceleration) == 0) c.complain("", "has no acceleration; give z = -9.81");
+    return gravity;
+  }
+  if (noun == "water_pressure") return WaterPressure{f.number("level"), f.number("density"), f.number("gravity")};
+  if (noun == "traction") return Traction{f.value("x"), f.value("y"), f.value("z")};
+  if (noun == "fixed_temperature") return FixedTemperature{f.value("value"), f.maybe("below"), f.maybe("above")};
+  if (noun == "convection") return Convection{f.value("ambient"), f.number("film"), f.maybe("below"), f.maybe("above")};
+  if (noun == "flux") return Flux{f.value("value")};
+  if (noun == "initial_temperature") return InitialTemperature{f.value("value"), f.texts("region")};
+  return TemperatureField{f.value("value")};
+}
+
+int add_condition(const Call& c) {
+  c.model().conditions.push_back({c.noun.name, c.name, c.fields.where, c.fields.texts("surface"), condition_kind(c), true});
+  return static_cast<int>(c.model().conditions.size()) - 1;
+}
+
+Relaxation relaxation(const Fields& f) {
+  const auto damping = f.text("damping");
+  return {f.number("tolerance"),
+          damping == "local" ? Damping::local : damping == "viscous" ? Damping::viscous : Damping::adaptive,
+          f.maybe("damping_value").value_or(0), f.number("step_factor"), static_cast<long>(f.maybe("max_steps").value_or(0))};
+}
+
+int add_solve(const Call& c) {
+  const Fields& f = c.fields;
+  if (c.noun.name == "thermal") {
+    if (f.flag("steady") == f.has("duration")) c.complain("", "give either steady = true or a duration");
+    c.solves.emplace_back(ThermalSolve{f.flag("steady"), f.maybe("duration").value_or(0), f.number("tolerance")});
+  } else {
+    if (f.has("damping_value") && f.text("damping") == "adaptive")
+      c.complain("damping_value", "'damping_value' has no meaning for adaptive damping, which finds its own; give damping = \"local\" or \"viscous\"");
+    if (c.noun.name == "fracture")
+      c.solves.emplace_back(FractureSolve{f.text("from"), f.text("to"), f.integer("increments"), relaxation(f), static_cast<long>(f.number("max_events"))});
+    else
+      c.solves.emplace_back(StaticSolve{relaxation(f)});
+  }
+  return static_cast<int>(c.solves.size()) - 1;
+}
+
+int add_stage(const Call& c) {
+  const Fields& f = c.fields;
+  Stage stage;
+  stage.name = c.name;
+  stage.where = f.where;
+  stage.remove = f.texts("remove");
+  stage.reset_displacement = f.flag("reset_displacement");
+  if (!f.handles("solve").empty()) stage.solve = c.solves[f.handles("solve")[0]];
+  if (f.has("apply")) stage.apply = f.handles("apply");
+  for (int index : stage.apply) c.model().conditions[index].everywhere = false;
+  c.model().stages.push_back(stage);
+  return 0;
+}
+
+int add_history(const Call& c) {
+  const Fields& f = c.fields;
+  if (!c.one_of({"at", "surface"})) return 0;
+  History history{c.name, f.where, {}, f.text("surface"), f.texts("record")};
+  if (f.has("at")) history.at = f.vector("at");
+  std::vector<std::string> valid;
+  for (const auto& r : recorded())
+    if (history.at ? r.at_point : r.on_surface) valid.push_back(r.name);
+  for (const auto& name : history.record)
+    if (std::find(valid.begin(), valid.end(), name) == valid.end())
+      c.complain("record", "'" + name + "' is not recorded " + (history.at ? "at a point" : "over a surface") + suggest_name(name, valid));
+  c.model().histories.push_back(history);
+  return 0;
+}
+
+int add_expect(const Call& c) {
+  const Fields& f = c.fields;
+  Expect e{c.name, f.where, f.text("history"), f.text("component"), f.text("stage"), {}, 0};
+  if (!c.one_of({"between", "value", "that"})) return 0;
+  if (f.has("that")) {
+    for (const char* key : {"history", "component", "stage"})
+      if (f.has(key)) c.complain(key, std::string("'") + key + "' has no meaning beside 'that'; use result.history(name).at(column, stage)");
+    e.function = f.function("that").reference;
+    c.deck.expects.push_back(e);
+    return 0;
+  }
+  for (const char* key : {"history", "component"})
+    if (!f.has(key)) c.complain("", std::string("missing '") + key + "'");
+  const std::string field = e.component.substr(0, e.component.find('.'));
+  KeyRule rule;
+  for (const auto& r : recorded())
+    if (r.name == field) rule.dimension = r.dimension;
+  const auto check = [&](const char* key, int i) {
+    const std::string complaint = number_complaint(rule, f.quantity(key, i));
+    if (!complaint.empty()) c.complain(key, std::string("'") + key + "' " + complaint);
+  };
+  if (f.has("between")) {
+    check("between", 0);
+    check("between", 1);
+    e.between = {f.quantity("between", 0).value, f.quantity("between", 1).value};
+    if (!((*e.between)[0] <= (*e.between)[1])) c.complain("between", "'between' is { lowest, highest }; the first value is the larger one");
+  } else {
+    check("value", 0);
+    if (f.has("tolerance")) check("tolerance", 0);
+    const double value = f.number("value");
+    if (f.has("tolerance") == f.has("relative")) c.complain("value", "give 'tolerance' or 'relative' with 'value'");
+    if (f.has("relative") && value == 0) c.complain("relative", "'relative' needs a value other than 0; give 'tolerance'");
+    const double tolerance = f.has("tolerance") ? f.number("tolerance") : f.maybe("relative").value_or(0) * std::abs(value);
+    e.between = {value - tolerance, value + tolerance};
+  }
+  c.deck.expects.push_back(e);
+  return 0;
+}
+
+}  // namespace
+
+int add_to_deck(Deck& deck, std::vector<Solve>& solves, const NounRule& noun, const std::string& name, const Fields& f) {
+  const Call call{deck, solves, noun, name, f};
+  Model& model = deck.model;
+  if (noun.kind == NounKind::condition) return add_condition(call);
+  if (noun.kind == NounKind::solve) return add_solve(call);
+  if (noun.name == "extrude") return add_extrude(call);
+  if (noun.name == "box") return add_box(call);
+  if (noun.name == "surface") return add_surface(call);
+  if (noun.name == "joint" || noun.name == "crackable") return add_interface(call);
+  if (noun.name == "stage") return add_stage(call);
+  if (noun.name == "history") return add_history(call);
+  if (noun.name == "expect") return add_expect(call);
+  if (noun.name == "model") {
+    model.name = name;
+    model.where = f.where;
+    model.reference_temperature = f.number("reference_temperature");
+  } else if (noun.name == "material") {
+    model.materials.push_back({name, f.where, f.texts("region"), f.text("law"), f.number("density"), f.maybe("conductivity"), f.maybe("heat_capacity"), f.law_values});
+  } else if (noun.name == "output") {
+    model.outputs.push_back({name, f.where, f.texts("record"), f.text("at") == "increment" ? f.integer("every") : 0});
+  } else if (noun.name == "picture") {
+    model.pictures.push_back({name, f.where, f.text("of"), f.text("stage"), f.number("deform"), f.text("section")});
+  }
+  return 0;
+}
+
+}  // namespace ashlar
