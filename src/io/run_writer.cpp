@@ -1,0 +1,271 @@
+#include "io/run_writer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "io/history_file.hpp"
+#include "io/result_file.hpp"
+#include "io/sha256.hpp"
+
+namespace ashlar {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Text that is not UTF-8 (deck strings may be anything) is written with replacement marks.
+std::string dumped(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  if (!stream) throw ResourceError("cannot read '" + path + "' again to copy it into the results");
+  return bytes;
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+Json described(const std::map<std::string, double>& values) {
+  Json json = Json::object();
+  for (const auto& [key, value] : values) json[key] = value;
+  return json;
+}
+
+Json described(const Model& model, const Blocks& blocks, const ContactPoints& contacts) {
+  const Mesh& mesh = model.mesh;
+  std::vector<int> elements(mesh.region_names.size(), 0);
+  for (const int region : mesh.regions) ++elements[region];
+  Json json{{"name", model.name},
+            {"reference_temperature", model.reference_temperature},
+            {"nodes", mesh.node_count()},
+            {"elements", mesh.element_count()},
+            {"blocks", blocks.block_count},
+            {"block_nodes", blocks.node_count()},
+            {"interface_faces", blocks.faces.size()},
+            {"contact_points", contacts.count()}};
+  for (std::size_t r = 0; r < elements.size(); ++r)
+    json["regions"].push_back({{"name", mesh.region_names[r]}, {"elements", elements[r]}});
+  for (const auto& material : model.materials) {
+    Json entry{
+        {"name", material.name}, {"regions", material.regions}, {"law", material.law}, {"density", material.density}};
+    if (material.conductivity) entry["conductivity"] = *material.conductivity;
+    if (material.heat_capacity) entry["heat_capacity"] = *material.heat_capacity;
+    entry["values"] = described(material.values);
+    json["materials"].push_back(entry);
+  }
+  for (const auto& interface : model.interfaces)
+    json["interfaces"].push_back({{"name", interface.name},
+                                  {"noun", interface.crackable ? "crackable" : "joint"},
+                                  {"regions", interface.regions},
+                                  {"law", interface.law},
+                                  {"values", described(interface.values)}});
+  for (const auto& stage : model.stages) json["stages"].push_back(stage.name);
+  return json;
+}
+
+Json described(const CrackEvent& event) {
+  return {{"load_factor", event.load_factor},
+          {"place", {event.place.x, event.place.y, event.place.z}},
+          {"contact_points", event.contact_points},
+          {"interface", event.interface},
+          {"mode", event.mode}};
+}
+
+Json described(const StageResult& stage) {
+  Json json{{"name", stage.name},
+            {"kind", stage.kind},
+            {"converged", stage.converged},
+            {"stop_reason", stage.stop_reason},
+            {"steps", stage.steps},
+            {"ratio", stage.ratio},
+            {"load_factor", stage.load_factor},
+            {"crack_events", stage.events.size()},
+            {"cracked_area", stage.cracked_area}};
+  json["cracked_area_by_direction"] = described(stage.cracked_area_by_direction);
+  json["free_blocks"] = stage.free_blocks;
+  json["dissipated_energy"] = stage.dissipated_energy;
+  json["wall_seconds"] = stage.wall_seconds;
+  json["phase_seconds"] = Json::object();
+  for (const auto& phase : stage.phases) json["phase_seconds"][phase.phase] = phase.seconds;
+  return json;
+}
+
+}  // namespace
+
+struct RunWriter::Files {
+  RunFolder folder;
+  GrowingFile log;
+  Json manifest;
+  std::string deck_copy;
+  ResultFile results;
+  std::map<std::string, std::pair<std::string, HistoryFile>> histories;  ///< by name: file name and file
+  std::vector<std::string> history_files;
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now(), last_progress = start;
+
+  Files(const RunFolder& folder, const RunDescription& description, const Model& model, const Blocks& blocks,
+        const ContactPoints& contacts)
+      : folder(folder),
+        log(folder.file("log.jsonl")),
+        manifest(first_manifest(description, model, blocks, contacts)),
+        deck_copy(copy_deck(description)),
+        results(folder.path(), "ashlar " + description.version, model, blocks, contacts) {}
+
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
+
+  static Json first_manifest(const RunDescription& description, const Model& model, const Blocks& blocks,
+                             const ContactPoints& contacts) {
+    Json inputs = Json::array();
+    for (const auto& path : description.files) inputs.push_back({{"file", path}, {"sha256", sha256(bytes_of(path))}});
+    Json arguments = Json::array();
+    for (const auto& a : description.arguments)
+      arguments.push_back({{"name", a.name}, {"value", a.value}, {"unit", a.unit}, {"set", a.set}});
+    Json pictures = Json::array();
+    for (const auto& p : model.pictures)
+      pictures.push_back(
+          {{"name", p.name}, {"of", p.of}, {"stage", p.stage}, {"deform", p.deform}, {"section", p.section}});
+    return {{"program", "ashlar"},
+            {"version", description.version},
+            {"compiler", description.compiler},
+            {"started", utc_now()},
+            {"status", "running"},
+            {"deck", {{"file", description.deck}, {"sha256", sha256(bytes_of(description.deck))}}},
+            {"inputs", inputs},
+            {"arguments", arguments},
+            {"device", description.device},
+            {"precision", description.precision},
+            {"threads", description.threads},
+            {"model", described(model, blocks, contacts)},
+            {"recorded", recorded_names(model)},
+            {"pictures", pictures},
+            {"histories", Json::array()},
+            {"stages", Json::array()},
+            {"files", Json::array()}};
+  }
+
+  std::string copy_deck(const RunDescription& description) const {
+    const std::string name = std::filesystem::path(description.deck).filename().string();
+    replace_file(folder.file(name), bytes_of(description.deck));
+    return name;
+  }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> names{"manifest.json", "log.jsonl", deck_copy};
+    for (const auto& name : results.file_names())
+      if (std::filesystem::exists(folder.file(name))) names.push_back(name);
+    names.insert(names.end(), history_files.begin(), history_files.end());
+    return names;
+  }
+
+  void write_manifest() {
+    manifest["wall_seconds"] = seconds();
+    manifest["files"] = names();
+    replace_file(folder.file("manifest.json"), dumped(manifest, 2));
+  }
+
+  void write_log(const char* event, const Json& more) {
+    Json line{{"seconds", seconds()}, {"event", event}};
+    line.update(more);
+    log.add(dumped(line, -1));
+  }
+
+  HistoryFile& history(const HistoryTable& table) {
+    if (const auto found = histories.find(table.name); found != histories.end()) return found->second.second;
+    // Two names may differ only in letters that a file name cannot hold.
+    const std::string stem = "history_" + file_name_of(table.name);
+    std::string name = stem + ".csv";
+    for (int number = 2; std::count(history_files.begin(), history_files.end(), name); ++number)
+      name = stem + "_" + std::to_string(number) + ".csv";
+    HistoryFile file(folder.file(name), table);
+    history_files.push_back(name);
+    manifest["histories"].push_back({{"name", table.name}, {"file", name}});
+    return histories.try_emplace(table.name, name, std::move(file)).first->second.second;
+  }
+};
+
+RunWriter::RunWriter(const RunFolder& folder, const RunDescription& description, const Model& model,
+                     const Blocks& blocks, const ContactPoints& contacts)
+    : files_(std::make_unique<Files>(folder, description, model, blocks, contacts)) {
+  files_->write_log("run_begins",
+                    {{"deck", description.deck}, {"device", description.device}, {"threads", description.threads}});
+  files_->write_manifest();
+}
+
+RunWriter::~RunWriter() = default;
+
+void RunWriter::stage_begins(int number, const std::string& name, const std::string& kind) {
+  files_->write_log("stage_begins", {{"number", number}, {"stage", name}, {"kind", kind}});
+}
+
+void RunWriter::progress(const Progress& progress) {
+  // Ten lines a second would bury the events of a long run.
+  const auto now = std::chrono::steady_clock::now();
+  if (now - files_->last_progress < std::chrono::seconds(5)) return;
+  files_->last_progress = now;
+  files_->write_log("progress", {{"stage", progress.stage},
+                                 {"step", progress.step},
+                                 {"ratio", progress.ratio},
+                                 {"target", progress.target},
+                                 {"increment", progress.increment},
+                                 {"fraction", progress.fraction},
+                                 {"cracked_fraction", progress.cracked_fraction}});
+}
+
+void RunWriter::crack(const std::string& stage, const CrackEvent& event) {
+  Json json{{"stage", stage}};
+  json.update(described(event));
+  files_->write_log("crack", json);
+}
+
+void RunWriter::output(const Snapshot& snapshot) {
+  files_->results.append(snapshot);
+  files_->write_log("output",
+                    {{"stage", snapshot.stage}, {"time", snapshot.time}, {"load_factor", snapshot.load_factor}});
+}
+
+void RunWriter::history_row(const HistoryTable& table) { files_->history(table).update(table); }
+
+void RunWriter::stage_ends(const StageResult& stage) {
+  files_->manifest["stages"].push_back(described(stage));
+  files_->write_log("stage_ends", described(stage));
+  files_->write_manifest();
+}
+
+void RunWriter::finish(const RunResult& result, const std::vector<ExpectRecord>& expects) {
+  for (const auto& table : result.histories) files_->history(table).update(table);
+  Json stages = Json::array(), checked = Json::array();
+  for (const auto& stage : result.stages) stages.push_back(described(stage));
+  for (const auto& expect : expects)
+    checked.push_back({{"name", expect.name}, {"passed", expect.passed}, {"message", expect.message}});
+  auto& manifest = files_->manifest;
+  manifest["status"] = result.interrupted ? "interrupted" : result.all_converged() ? "finished" : "not converged";
+  if (!result.device.empty()) manifest["device"] = result.device;
+  manifest["stages"] = stages;
+  manifest["expects"] = checked;
+  files_->write_log("run_ends", {{"status", manifest["status"]}});
+  files_->write_manifest();
+}
+
+void RunWriter::fail(const std::string& message) {
+  files_->manifest["status"] = "failed";
+  files_->manifest["error"] = message;
+  files_->write_log("run_fails", {{"error", message}});
+  files_->write_manifest();
+}
+
+std::vector<std::string> RunWriter::file_names() const { return files_->names(); }
+
+}  // namespace ashlar
