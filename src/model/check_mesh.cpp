@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <numeric>
 
+#include "model/place_text.hpp"
 #include "physics/gauss_table.hpp"
 
 namespace ashlar {
@@ -21,12 +21,9 @@ constexpr int tet_neighbours[4][3] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {0, 2, 1}
 
 const int* corner_neighbours(Shape shape, int corner) {
   switch (shape) {
-    case Shape::hex8:
-      return hex_neighbours[corner];
-    case Shape::wedge6:
-      return wedge_neighbours[corner];
-    case Shape::tet4:
-      break;
+    case Shape::hex8: return hex_neighbours[corner];
+    case Shape::wedge6: return wedge_neighbours[corner];
+    case Shape::tet4: break;
   }
   return tet_neighbours[corner];
 }
@@ -64,12 +61,9 @@ Jacobians gauss_jacobians(const Mesh& mesh, int e) {
 
 Jacobians gauss_jacobians(const Mesh& mesh, int e) {
   switch (mesh.shapes[e]) {
-    case Shape::hex8:
-      return gauss_jacobians<Hex8<double>>(mesh, e);
-    case Shape::wedge6:
-      return gauss_jacobians<Wedge6<double>>(mesh, e);
-    case Shape::tet4:
-      break;
+    case Shape::hex8: return gauss_jacobians<Hex8<double>>(mesh, e);
+    case Shape::wedge6: return gauss_jacobians<Wedge6<double>>(mesh, e);
+    case Shape::tet4: break;
   }
   return gauss_jacobians<Tet4<double>>(mesh, e);
 }
@@ -85,12 +79,6 @@ double smallest_corner(const Mesh& mesh, int e) {
     smallest = std::min(smallest, dot(a, cross(b, d)) / (norm(a) * norm(b) * norm(d)));
   }
   return smallest;
-}
-
-std::string place(const Vec3<double>& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
-  return text;
 }
 
 /// One check's complaints: ten with their whole text, the others counted.
@@ -134,7 +122,7 @@ class MeshCheck {
  private:
   std::string name(int e) const {
     return std::string(shape_name(mesh_.shapes[e])) + " element " + std::to_string(mesh_.source_ids[e]) +
-           " of region '" + mesh_.region_names[mesh_.regions[e]] + "' at " + place(mesh_.centroid(e));
+           " of region '" + mesh_.region_names[mesh_.regions[e]] + "' at " + place_text(mesh_.centroid(e));
   }
 
   void finite_coordinates() {
@@ -142,7 +130,8 @@ class MeshCheck {
     for (int n = 0; n < mesh_.node_count(); ++n) {
       const auto& p = mesh_.points[n];
       if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-        found.add(0, [&] { return "node " + std::to_string(n + 1) + ": coordinates " + place(p) + " are not finite"; });
+        found.add(
+            0, [&] { return "node " + std::to_string(n + 1) + ": coordinates " + place_text(p) + " are not finite"; });
     }
   }
 
@@ -172,7 +161,7 @@ class MeshCheck {
       found.add(mesh_.regions[e], [&] {
         if (!(std::abs(jacobians.volume) > 1e-12 * std::pow(longest_edge(e), 3))) return name(e) + ": has no volume";
         if (jacobians.volume < 0)
-          return name(e) + ": is inside out (volume " + number(jacobians.volume) +
+          return name(e) + ": is inside out (volume " + number_text(jacobians.volume) +
                  " m^3); its corners must follow the VTK order";
         return name(e) + ": is folded (Jacobian not positive at a " +
                (jacobians.smallest > 0 ? "corner" : "Gauss point") + "); move its nodes or mesh the place finer";
@@ -187,7 +176,7 @@ class MeshCheck {
     for (int n = 0; n < mesh_.node_count(); ++n)
       if (!used[n])
         found.add(0, [&] {
-          return "node " + std::to_string(n + 1) + " at " + place(mesh_.points[n]) + " belongs to no element";
+          return "node " + std::to_string(n + 1) + " at " + place_text(mesh_.points[n]) + " belongs to no element";
         });
   }
 
@@ -265,12 +254,6 @@ class MeshCheck {
         longest = std::max(
             longest, norm(mesh_.points[corners[corner_neighbours(mesh_.shapes[e], c)[i]]] - mesh_.points[corners[c]]));
     return longest;
-  }
-
-  static std::string number(double v) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", v);
-    return text;
   }
 
   const Mesh& mesh_;

@@ -50,13 +50,11 @@ std::vector<KeyedFace> sorted_faces(const Mesh& mesh) {
 
 std::span<const int> face_corners(Shape shape, int face) {
   switch (shape) {
-    case Shape::hex8:
-      return hex_faces[face];
+    case Shape::hex8: return hex_faces[face];
     case Shape::wedge6:
       if (face < 2) return wedge_triangles[face];
       return wedge_quads[face - 2];
-    case Shape::tet4:
-      break;
+    case Shape::tet4: break;
   }
   return tet_faces[face];
 }
@@ -85,6 +83,17 @@ Vec3<double> Mesh::facet_area(const Facet& f) const {
   if (n.size() == 3) return 0.5 * cross(points[n[1]] - points[n[0]], points[n[2]] - points[n[0]]);
   // The integral of n dA over a bilinear quad is half the product of its diagonals, exactly, warped or not.
   return 0.5 * cross(points[n[2]] - points[n[0]], points[n[3]] - points[n[1]]);
+}
+
+double Mesh::extent() const {
+  if (points.empty()) return 0;
+  Vec3<double> low = points[0], high = points[0];
+  for (const auto& p : points)
+    for (int a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], p[a]);
+      high[a] = std::max(high[a], p[a]);
+    }
+  return norm(high - low);
 }
 
 const Surface* Mesh::find_surface(const std::string& name) const {

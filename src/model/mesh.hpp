@@ -61,6 +61,8 @@ struct Mesh {
   Vec3<double> facet_centroid(const Facet& f) const;
   /// Area vector (outward normal times area), m^2.
   Vec3<double> facet_area(const Facet& f) const;
+  /// Diagonal of the bounding box, m.
+  double extent() const;
   const Surface* find_surface(const std::string& name) const;
   int find_region(const std::string& name) const;  ///< -1 if there is none
 };

@@ -35,7 +35,7 @@ struct Extrude {
   int layers = 0;                             ///< along y; 0: from layer_size
   std::vector<int> corners;                   ///< four 1-based indices into section; empty: by angle
   std::map<int, int> divisions;               ///< 1-based side (between chosen corners) -> divisions asked; else by size
-  double grade = 1;                           ///< size ratio far edge / near edge towards the outside of a free side (1: uniform)
+  double grade = 1;                           ///< growth from one element to the next, away from a finer neighbour's edge up to `size` (1: uniform)
   Shape shape = Shape::hex8;                  ///< hex8, or split into wedge6 or tet4
 };
 
@@ -56,13 +56,13 @@ struct ImportedMesh {
   Mesh mesh;
 };
 
-/// `surface "upstream" { of = "dam", ... }`: every filter given must hold. Selected from outer faces of the regions
-/// (faces between two listed regions are inner; a face towards a region that is not listed counts as outer for `of`).
+/// `surface "upstream" { of = "dam", ... }`: every filter given must hold. Selected from outer faces of the model that the
+/// regions own, or from the groups given (select_surface.hpp says each filter's exact meaning).
 struct SurfaceChoice {
   std::string name;
   Where where;
   std::vector<std::string> of;                ///< regions
-  std::vector<std::string> side;              ///< left right (-x +x), front back (-y +y), bottom top (-z +z): within 30 degrees of the direction AND on the region's extreme plane or outline
+  std::vector<std::string> side;              ///< left right (-x +x), front back (-y +y), bottom top (-z +z): within 30 degrees and seen from there
   std::optional<Vec3<double>> facing;         ///< direction
   double within = 0.5235987755982988;         ///< rad from `facing` (default 30 degrees)
   std::optional<std::array<Vec3<double>, 2>> box;                 ///< facet centroid inside [low, high]

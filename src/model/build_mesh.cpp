@@ -1,0 +1,155 @@
+#include <algorithm>
+
+#include "model/check_mesh.hpp"
+#include "model/mesher/extrude.hpp"
+#include "model/mesher/merge_points.hpp"
+#include "model/model.hpp"
+#include "model/place_text.hpp"
+#include "model/select_surface.hpp"
+
+namespace ashlar {
+
+namespace {
+
+/// Puts the meshes of all sources together: points first, then elements on merged nodes, then surfaces.
+class Assembly {
+ public:
+  explicit Assembly(Model& model) : model_(model), mesh_(model.mesh) {}
+
+  void run() {
+    if (model_.extrudes.empty() && model_.boxes.empty() && model_.imports.empty())
+      throw DeckError(model_.where, "the model has no geometry; declare an extrude, a box or an import_mesh");
+    mesh_ = Mesh{};
+    make_lattices();
+    merge();
+    for (std::size_t s = 0; s < lattices_.size(); ++s)
+      add_cells(mesh_, lattices_[s], source_nodes(static_cast<int>(s)), add_region(names_[s], declared_[s], {}));
+    for (std::size_t i = 0; i < model_.imports.size(); ++i)
+      add_import(model_.imports[i], source_nodes(static_cast<int>(lattices_.size() + i)));
+    complaints_.raise();
+    check_mesh(mesh_, region_declared_);
+    add_surfaces();
+  }
+
+ private:
+  void make_lattices() {
+    if (!model_.extrudes.empty()) lattices_ = mesh_extrudes(model_.extrudes);
+    for (const auto& extrude : model_.extrudes) {
+      names_.push_back(extrude.name);
+      declared_.push_back(extrude.where);
+    }
+    for (const auto& box : model_.boxes) {
+      lattices_.push_back(mesh_box(box));
+      names_.push_back(box.name);
+      declared_.push_back(box.where);
+    }
+  }
+
+  void merge() {
+    std::vector<Vec3<double>> points;
+    std::vector<int> source;
+    const auto append = [&](const std::vector<Vec3<double>>& more) {
+      first_point_.push_back(static_cast<int>(points.size()));
+      source.insert(source.end(), more.size(), static_cast<int>(first_point_.size()) - 1);
+      points.insert(points.end(), more.begin(), more.end());
+    };
+    for (const auto& lattice : lattices_) append(lattice.points);
+    for (const auto& import : model_.imports) append(import.mesh.points);
+    first_point_.push_back(static_cast<int>(points.size()));
+    merged_ = merge_points(points, source);
+    mesh_.points = merged_.points;
+
+    int count = 0;
+    for (const auto& [a, b] : merged_.repeated)
+      if (++count <= 10) repeated_node(source[a], a, b, points[a]);
+    if (count > 10)
+      complaints_.add(model_.where,
+                      "... and " + std::to_string(count - 10) + " more nodes at the same place as others");
+    complaints_.raise();
+  }
+
+  void repeated_node(int source, int a, int b, const Vec3<double>& place) {
+    const int lattices = static_cast<int>(lattices_.size());
+    if (source < lattices) {
+      complaints_.add(declared_[source], "'" + names_[source] + "' has elements of no size at " + place_text(place) +
+                                             "; is it meant to be so much smaller than the rest of the model?");
+      return;
+    }
+    const auto& import = model_.imports[source - lattices];
+    complaints_.add(import.where, import.file + ": nodes " + std::to_string(a - first_point_[source] + 1) + " and " +
+                                      std::to_string(b - first_point_[source] + 1) + " (counted from 1) lie at the " +
+                                      "same place, " + place_text(place) +
+                                      "; merge them in the mesh generator: joints are opened here, not in the file");
+  }
+
+  /// Mesh node of every point of one source.
+  std::vector<int> source_nodes(int s) const {
+    return {merged_.node.begin() + first_point_[s], merged_.node.begin() + first_point_[s + 1]};
+  }
+
+  int add_region(const std::string& name, const Where& where, const std::string& file) {
+    const int known = mesh_.find_region(name);
+    if (known >= 0) {
+      const auto& first = region_declared_[known];
+      complaints_.add(where, (file.empty() ? "" : file + ": ") + "region '" + name + "' exists already" +
+                                 (first.file.empty() ? "" : ", from line " + std::to_string(first.line)) +
+                                 "; give every region its own name" +
+                                 (file.empty() ? "" : ", regions = { " + name + " = \"another name\" }"));
+    }
+    mesh_.region_names.push_back(name);
+    region_declared_.push_back(where);
+    return static_cast<int>(mesh_.region_names.size()) - 1;
+  }
+
+  void add_import(const ImportedMesh& import, const std::vector<int>& nodes) {
+    const int first_region = static_cast<int>(mesh_.region_names.size()), first_element = mesh_.element_count();
+    for (const auto& name : import.mesh.region_names) add_region(name, import.where, import.file);
+    for (int e = 0; e < import.mesh.element_count(); ++e) {
+      std::vector<int> corners;
+      for (const int n : import.mesh.element(e)) corners.push_back(nodes[n]);
+      mesh_.add_element(import.mesh.shapes[e], corners, first_region + import.mesh.regions[e],
+                        import.mesh.source_ids[e]);
+    }
+    for (const auto& surface : import.mesh.surfaces) {
+      // The same group in two files is one surface.
+      auto at = std::find_if(mesh_.surfaces.begin(), mesh_.surfaces.end(),
+                             [&](const Surface& known) { return known.name == surface.name; });
+      if (at == mesh_.surfaces.end()) at = mesh_.surfaces.insert(at, Surface{surface.name, {}});
+      for (const auto& f : surface.facets) at->facets.push_back({first_element + f.element, f.face});
+    }
+  }
+
+  void add_surfaces() {
+    const auto faces = find_faces(mesh_);
+    for (std::size_t region = 0; region < names_.size(); ++region)
+      for (auto& side : region_sides(mesh_, faces, static_cast<int>(region))) mesh_.surfaces.push_back(std::move(side));
+    std::vector<std::string> lines;
+    for (const auto& choice : model_.surfaces) try {
+        if (mesh_.find_surface(choice.name))
+          throw DeckError(choice.where,
+                          "surface '" + choice.name +
+                              "': there is a surface of this name already, from a mesh file or an earlier " +
+                              "declaration; choose another name");
+        mesh_.surfaces.push_back({choice.name, select_surface(mesh_, faces, choice)});
+      } catch (const DeckError& error) {
+        lines.insert(lines.end(), error.lines().begin(), error.lines().end());
+      }
+    if (!lines.empty()) throw DeckError(lines);
+  }
+
+  Model& model_;
+  Mesh& mesh_;
+  std::vector<Lattice> lattices_;   ///< extrudes, then boxes
+  std::vector<std::string> names_;  ///< [lattices]
+  std::vector<Where> declared_;     ///< [lattices]
+  std::vector<int> first_point_;    ///< [sources + 1]: lattices, then imports
+  MergedPoints merged_;
+  std::vector<Where> region_declared_;  ///< [regions]
+  Complaints complaints_;
+};
+
+}  // namespace
+
+void build_mesh(Model& model) { Assembly(model).run(); }
+
+}  // namespace ashlar

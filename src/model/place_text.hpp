@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdio>
+#include <string>
+
+#include "base/tensor.hpp"
+
+/// Numbers and places as messages show them.
+namespace ashlar {
+
+inline std::string number_text(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", v);
+  return text;
+}
+
+/// "(x, y, z)"
+inline std::string place_text(const Vec3<double>& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
+  return text;
+}
+
+}  // namespace ashlar
