@@ -106,6 +106,7 @@ class Backend {
  public:
   virtual ~Backend() = default;
   virtual std::string name() const = 0;
+  virtual double rounding() const = 0;  ///< distance from 1 to the next number
   /// Runs one phase to its end and books its wall time.
   void run(Phase phase, const Controls& controls = {});
   /// Seconds spent in a phase since the backend was made.

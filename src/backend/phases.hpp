@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "backend/backend.hpp"
@@ -140,6 +141,7 @@ class Phases final : public Backend {
   }
 
   std::string name() const override { return exec_.name(); }
+  double rounding() const override { return std::numeric_limits<Real>::epsilon(); }
   void use_warming(bool on) override { warm_ = on; }
 
   void run_phase(Phase phase, const Controls& controls) override {

@@ -8,13 +8,18 @@ namespace {
 
 std::vector<int> material_indices(const Model& model) {
   std::vector<int> indices;
-  for (const Material* material : materials_by_region(model)) indices.push_back(static_cast<int>(material - model.materials.data()));
+  for (const Material* material : materials_by_region(model))
+    indices.push_back(static_cast<int>(material - model.materials.data()));
   return indices;
 }
 
 std::unique_ptr<Backend> make_backend(const Problem& problem, const RunOptions& options) {
   Setup setup{problem.discretisation, problem.contacts, {}, {}};
-  for (const Material& m : problem.model.materials) setup.laws.push_back(make_block_law(m.law, m.values));
+  for (const Material& m : problem.model.materials) {
+    setup.laws.push_back(make_block_law(m.law, m.values));
+    setup.conductivity.push_back(m.conductivity.value_or(0));
+  }
+  setup.reference_temperature = problem.model.reference_temperature;
   for (const Interface& i : problem.model.interfaces) {
     const std::string what = std::string(i.crackable ? "crackable" : "joint") + " '" + i.name + "'";
     setup.interface_laws.push_back(interface_constants(i.law, i.values, i.where, what).law);
@@ -28,8 +33,9 @@ Problem::Problem(const Model& m, const RunOptions& options)
     : model(m),
       blocks(split_blocks(m, find_faces(m.mesh))),
       contacts(place_contacts(m, blocks)),
-      discretisation(discretise(m.mesh, blocks, material_indices(m),
-                                options.precision == Precision::double_precision ? patch_size_double : patch_size_single)),
+      discretisation(
+          discretise(m.mesh, blocks, material_indices(m),
+                     options.precision == Precision::double_precision ? patch_size_double : patch_size_single)),
       backend(make_backend(*this, options)) {}
 
 std::vector<double> Problem::to_machine(const std::vector<double>& block_order, int width) const {

@@ -1,0 +1,217 @@
+#include "solve/thermal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/loads.hpp"
+
+namespace ashlar {
+
+namespace {
+
+constexpr double least_steps = 200;  // of a transient stage
+
+std::vector<double> to_machine(const Problem& problem, const std::vector<double>& mesh_order) {
+  const std::vector<int>& new_node = problem.discretisation.heat.new_node;
+  std::vector<double> machine(mesh_order.size());
+  for (std::size_t n = 0; n < new_node.size(); ++n) machine[new_node[n]] = mesh_order[n];
+  return machine;
+}
+
+void check_materials(const Model& model, const Stage& stage, bool transient) {
+  Complaints complaints;
+  const std::string needed_by = ", needed by thermal stage '" + stage.name + "'";
+  for (const Material* m : materials_by_region(model)) {
+    if (!m->conductivity)
+      complaints.add(m->where, "material '" + m->name + "': missing 'conductivity' [W/(m K)]" + needed_by);
+    if (transient && !m->heat_capacity)
+      complaints.add(m->where, "material '" + m->name + "': missing 'heat_capacity' [J/(kg K)]" + needed_by);
+  }
+  complaints.raise();
+}
+
+/// Loads the boundary of the stage into the backend; held nodes take their temperature at once.
+/// Returns [mesh nodes, the machine's order] 1 where held.
+std::vector<double> set_boundary(Problem& problem, const ThermalBoundary& boundary) {
+  const std::vector<int>& new_node = problem.discretisation.heat.new_node;
+  Backend& backend = *problem.backend;
+  std::vector<double> temperature = backend.read(Field::temperature), held(new_node.size(), 0);
+  for (std::size_t i = 0; i < boundary.fixed_nodes.size(); ++i) {
+    const int n = new_node[boundary.fixed_nodes[i]];
+    held[n] = 1;
+    temperature[n] = boundary.fixed_temperature[i];
+  }
+  backend.write(Field::held, held);
+  backend.write(Field::temperature, temperature);
+  backend.write(Field::heat, to_machine(problem, boundary.heat));
+  backend.write_films(film_matrix(boundary.films, new_node));
+  backend.run(Phase::heat_bound);
+  return held;
+}
+
+/// Size of the rounding errors in the heat balance of the nodes, W: below it a residual says nothing.
+double rounding_of_balance(Backend& backend) {
+  const std::vector<double> bound = backend.read(Field::heat_bound), temperature = backend.read(Field::temperature);
+  double largest = 0, sum = 0;
+  for (const double t : temperature) largest = std::max(largest, std::abs(t));
+  for (std::size_t n = 0; n < temperature.size(); ++n) sum += bound[2 * n + 1] * bound[2 * n + 1];
+  return backend.rounding() * largest * std::sqrt(sum);
+}
+
+ThermalResult solve_steady(Problem& problem, const ThermalSolve& solve, const ThermalWatch& watch) {
+  Backend& backend = *problem.backend;
+  const long limit = 1000 + 2L * problem.discretisation.heat.node_count;
+  const double rounding = rounding_of_balance(backend);
+  ThermalResult result;
+  double start = 0, last = std::numeric_limits<double>::infinity();
+  // The residual that conjugate gradients carry along drifts from the true one: begin again from the true one until
+  // that meets the tolerance or rounding keeps it from falling.
+  for (;;) {
+    backend.run(Phase::heat_flow);
+    backend.run(Phase::start_search);
+    HeatMeasure m = backend.heat_sums();
+    if (result.steps == 0) start = m.residual;
+    result.ratio = start > 0 ? m.residual / start : 0;
+    if (!std::isfinite(m.residual)) {
+      result.stop_reason = "not finite";
+      return result;
+    }
+    const double goal = std::max(solve.tolerance * start, rounding);
+    if (m.residual <= goal) {
+      result.converged = true;
+      result.stop_reason = "converged";
+      return result;
+    }
+    if (m.residual > 0.5 * last) {
+      result.stop_reason = "precision limit";
+      return result;
+    }
+    last = m.residual;
+    while (m.residual > goal) {
+      if (result.steps >= limit) {
+        result.stop_reason = "step limit";
+        return result;
+      }
+      Controls controls;
+      backend.run(Phase::search_flow);
+      const double along = backend.heat_sums().along;
+      if (!(along > 0)) break;  // the direction vanished in rounding, or is not finite
+      const double before = m.preconditioned;
+      controls.search_length = before / along;
+      backend.run(Phase::advance_search, controls);
+      m = backend.heat_sums();
+      controls.search_keep = m.preconditioned / before;
+      backend.run(Phase::turn_search, controls);
+      result.ratio = m.residual / start;
+      ++result.steps;
+      const double done = std::log(std::max(result.ratio, solve.tolerance)) / std::log(solve.tolerance);
+      if (watch && watch({result.steps, std::clamp(done, 0.0, 1.0), 0, result.ratio})) {
+        result.interrupted = true;
+        result.stop_reason = "interrupted";
+        return result;
+      }
+    }
+  }
+}
+
+/// Half the stability limit of forward Euler, from Gershgorin's bound of the fastest rate: no step makes a new
+/// extremum.
+double largest_step(Backend& backend, const std::vector<double>& held, const std::vector<double>& capacity) {
+  const std::vector<double> bound = backend.read(Field::heat_bound);
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < held.size(); ++n)
+    if (held[n] == 0 && bound[2 * n + 1] > 0) step = std::min(step, capacity[n] / bound[2 * n + 1]);
+  return step;
+}
+
+ThermalResult march(Problem& problem, const ThermalSolve& solve, const std::vector<double>& held,
+                    const ThermalWatch& watch) {
+  Backend& backend = *problem.backend;
+  const Mesh& mesh = problem.model.mesh;
+  std::vector<double> capacity = to_machine(problem, lumped_capacity(problem.model, mesh.corners, mesh.node_count()));
+  const double longest = std::min(largest_step(backend, held, capacity), solve.duration / least_steps);
+  const long steps = static_cast<long>(std::ceil(solve.duration / longest));
+  for (double& c : capacity) c = 1 / c;
+  backend.write(Field::inverse_capacity, capacity);
+
+  ThermalResult result;
+  Controls controls;
+  controls.time_step = result.time_step = solve.duration / static_cast<double>(steps);
+  while (result.steps < steps) {
+    backend.run(Phase::heat_flow);
+    backend.run(Phase::step_heat, controls);
+    ++result.steps;
+    const double fraction = static_cast<double>(result.steps) / static_cast<double>(steps);
+    if (watch && watch({result.steps, fraction, fraction * solve.duration, 0})) {
+      result.interrupted = true;
+      result.stop_reason = "interrupted";
+      return result;
+    }
+  }
+  for (const double t : backend.read(Field::temperature))
+    if (!std::isfinite(t)) {
+      result.stop_reason = "not finite";
+      return result;
+    }
+  result.converged = true;
+  result.stop_reason = "converged";
+  return result;
+}
+
+}  // namespace
+
+void prescribe_temperature(const Model& model, int stage, std::vector<double>& temperature) {
+  const Mesh& mesh = model.mesh;
+  const auto acted_before = [&](const Condition* condition) {
+    for (int s = 0; s < stage; ++s)
+      for (const ActingCondition& a : acting_conditions(model, s))
+        if (a.condition == condition) return true;
+    return false;
+  };
+  for (const ActingCondition& a : acting_conditions(model, stage)) {
+    if (const auto* field = std::get_if<TemperatureField>(&a.condition->kind))
+      for (int n = 0; n < mesh.node_count(); ++n) temperature[n] = field->value(mesh.points[n]);
+    const auto* initial = std::get_if<InitialTemperature>(&a.condition->kind);
+    if (!initial || acted_before(a.condition)) continue;
+    std::vector<char> chosen(mesh.node_count(), initial->regions.empty());
+    for (const std::string& region : initial->regions) {
+      const int r = mesh.find_region(region);
+      if (r < 0) throw DeckError(a.condition->where, a.condition->noun + ": there is no region '" + region + "'");
+      for (int e = 0; e < mesh.element_count(); ++e)
+        if (mesh.regions[e] == r)
+          for (const int n : mesh.element(e)) chosen[n] = 1;
+    }
+    for (int n = 0; n < mesh.node_count(); ++n)
+      if (chosen[n]) temperature[n] = initial->value(mesh.points[n]);
+  }
+}
+
+std::vector<double> read_temperature(const Problem& problem) {
+  const std::vector<int>& new_node = problem.discretisation.heat.new_node;
+  const std::vector<double> machine = problem.backend->read(Field::temperature);
+  std::vector<double> mesh_order(machine.size());
+  for (std::size_t n = 0; n < new_node.size(); ++n) mesh_order[n] = machine[new_node[n]];
+  return mesh_order;
+}
+
+void write_temperature(Problem& problem, const std::vector<double>& temperature) {
+  problem.backend->write(Field::temperature, to_machine(problem, temperature));
+}
+
+ThermalResult solve_thermal(Problem& problem, int stage_index, const ThermalWatch& watch) {
+  const Model& model = problem.model;
+  const Stage& stage = model.stages[stage_index];
+  const ThermalSolve& solve = std::get<ThermalSolve>(stage.solve);
+  check_materials(model, stage, !solve.steady);
+  const ThermalBoundary boundary =
+      thermal_boundary(model.mesh, model.mesh.corners, model.mesh.node_count(), acting_conditions(model, stage_index));
+  if (solve.steady && boundary.fixed_nodes.empty() && boundary.films.empty())
+    throw DeckError(stage.where, "stage '" + stage.name +
+                                     "': a steady temperature needs a fixed_temperature or a convection somewhere; "
+                                     "without one every level of temperature is in balance");
+  const std::vector<double> held = set_boundary(problem, boundary);
+  return solve.steady ? solve_steady(problem, solve, watch) : march(problem, solve, held, watch);
+}
+
+}  // namespace ashlar

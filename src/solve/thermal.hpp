@@ -1,0 +1,43 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "solve/problem.hpp"
+
+/// Thermal stages: steady temperature by conjugate gradients, transient by forward Euler, both matrix-free (paper
+/// (6)-(10); numerics 6). The temperature lives in the backend from stage to stage, one value per mesh node.
+namespace ashlar {
+
+struct ThermalResult {
+  bool converged = false;
+  bool interrupted = false;
+  long steps = 0;           ///< heat steps or iterations
+  double ratio = 0;         ///< steady: norm of the residual over its start
+  double time_step = 0;     ///< s, transient
+  std::string stop_reason;  ///< "converged", "precision limit", "step limit", "not finite", "interrupted"
+};
+
+struct ThermalProgress {
+  long step = 0;
+  double fraction = 0;  ///< of the stage: exact for transients, estimated for steady stages
+  double time = 0;      ///< s since the stage began; 0 in steady stages
+  double ratio = 0;     ///< steady: norm of the residual over its start
+};
+/// Called after every step; true stops the stage.
+using ThermalWatch = std::function<bool(const ThermalProgress&)>;
+
+/// Temperatures that the deck gives when stage `stage` (0-based) begins: initial_temperature in the first stage where
+/// it acts, on the nodes of its regions (all, if it names none), and temperature_field on all nodes, whenever it acts.
+/// `temperature` [mesh nodes], degC, the mesh's own order.
+void prescribe_temperature(const Model& model, int stage, std::vector<double>& temperature);
+
+/// Temperature of the present state, degC, [mesh nodes] in the mesh's own order.
+std::vector<double> read_temperature(const Problem& problem);
+void write_temperature(Problem& problem, const std::vector<double>& temperature);
+
+/// Solves thermal stage `stage` (0-based) from the temperature in the backend. Throws DeckError: a material without
+/// conductivity or heat capacity, a steady stage that nothing ties to a temperature.
+ThermalResult solve_thermal(Problem& problem, int stage, const ThermalWatch& watch = {});
+
+}  // namespace ashlar
