@@ -10,7 +10,8 @@ namespace {
 
 constexpr double inside_tolerance = 1e-7;  // of the parametric coordinates
 
-/// Shape functions and their derivatives [corner][axis] at parametric coordinates; hex8 in (-1,1), others in (0,1), (0,1), (-1,1) or (0,1).
+/// Shape functions and their derivatives [corner][axis] at parametric coordinates; hex8 in (-1,1), others in (0,1),
+/// (0,1), (-1,1) or (0,1).
 void shape_functions(Shape shape, const Eigen::Vector3d& r, Eigen::VectorXd& n, Eigen::MatrixXd& d) {
   const int corners = corner_count(shape);
   n.resize(corners);

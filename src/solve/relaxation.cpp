@@ -7,9 +7,9 @@ namespace ashlar {
 
 namespace {
 
-constexpr long sum_interval = 10;             // steps between two looks at the sums
-constexpr double most_damping = 1.9;          // bound of the viscous coefficient of one step
-constexpr double local_alpha = 0.8;           // Cundall's usual value
+constexpr long sum_interval = 10;     // steps between two looks at the sums
+constexpr double most_damping = 1.9;  // bound of the viscous coefficient of one step
+constexpr double local_alpha = 0.8;   // Cundall's usual value
 constexpr double viscous_default = 0.02;
 
 double alpha_of(const Relaxation& r) {
@@ -17,8 +17,8 @@ double alpha_of(const Relaxation& r) {
   return r.damping_value > 0 ? r.damping_value : local_alpha;
 }
 
-/// Coefficient near critical damping of the lowest mode that still moves (Underwood 1983, in the incremental form that stays
-/// valid after prestress).
+/// Coefficient near critical damping of the lowest mode that still moves (Underwood 1983, in the incremental form that
+/// stays valid after prestress).
 double adaptive_damping(const RelaxationMeasure& m) {
   if (m.motion <= 0 || m.curvature <= 0) return 0;
   return std::min(2 * std::sqrt(m.curvature / m.motion), most_damping);

@@ -45,7 +45,7 @@ struct HistoryTable {
   std::vector<std::string> units;     ///< "m", "degC", "Pa", "N"
   struct Row {
     std::string stage;
-    double time = 0;                  ///< stage number + load factor (static, fracture) or physical seconds inside thermal stages; see solver
+    double time = 0;                  ///< stages done, with the fraction of the present one (load factor, share of a duration)
     double load_factor = 0;
     std::vector<double> values;
   };

@@ -19,13 +19,15 @@ int normal_axis(const Mesh& mesh, const Facet& facet, const Condition& condition
   const Vec3<double> at = mesh.facet_centroid(facet);
   char text[256];
   std::snprintf(text, sizeof text,
-                "fix '%s': surface '%s' is not perpendicular to x, y or z at (%.6g, %.6g, %.6g), where its normal is (%.3g, %.3g, %.3g): "
+                "fix '%s': surface '%s' is not perpendicular to x, y or z at (%.6g, %.6g, %.6g), where its normal is "
+                "(%.3g, %.3g, %.3g): "
                 "give x, y, z instead of normal",
                 condition.name.c_str(), surface.name.c_str(), at.x, at.y, at.z, n.x / size, n.y / size, n.z / size);
   throw DeckError(condition.where, text);
 }
 
-void fix(const Problem& p, const Condition& condition, const Fix& f, const Surface& surface, MechanicalConditions& out) {
+void fix(const Problem& p, const Condition& condition, const Fix& f, const Surface& surface,
+         MechanicalConditions& out) {
   const unsigned bits = (f.x ? 1u : 0u) | (f.y ? 2u : 0u) | (f.z ? 4u : 0u);
   for (const Facet& facet : surface.facets) {
     const unsigned all = f.normal ? bits | (1u << normal_axis(p.model.mesh, facet, condition, surface)) : bits;

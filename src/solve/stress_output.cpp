@@ -35,7 +35,8 @@ Eigen::MatrixXd gauss_values(const Batch& batch, int element, std::span<const do
   const int points = gauss_count(batch.shape);
   Eigen::MatrixXd values(points, 6);
   for (int g = 0; g < points; ++g)
-    for (int c = 0; c < 6; ++c) values(g, c) = gauss[6 * static_cast<std::size_t>(batch.gauss(element - batch.first_element, g)) + c];
+    for (int c = 0; c < 6; ++c)
+      values(g, c) = gauss[6 * static_cast<std::size_t>(batch.gauss(element - batch.first_element, g)) + c];
   return values;
 }
 
@@ -94,7 +95,8 @@ std::vector<double> principal_stress(std::span<const double> stress) {
     const double* s = &stress[6 * n];
     Eigen::Matrix3d tensor;
     tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
-    const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor, Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::Vector3d values =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor, Eigen::EigenvaluesOnly).eigenvalues();
     for (int i = 0; i < 3; ++i) principal[3 * n + i] = values[2 - i];
   }
   return principal;

@@ -1,0 +1,186 @@
+#include "solve/recorder.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "model/loads.hpp"
+#include "solve/contact_states.hpp"
+#include "solve/stress_output.hpp"
+
+namespace ashlar {
+
+namespace {
+
+constexpr const char* stress_components[6] = {"xx", "yy", "zz", "xy", "yz", "zx"};
+constexpr const char* axes[3] = {"x", "y", "z"};
+
+Location point_of(const Mesh& mesh, const History& history) {
+  const auto found = locate(mesh, *history.at);
+  if (found) return *found;
+  const Vec3<double> near = mesh.points[nearest_node(mesh, *history.at)];
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "history '%s': (%.6g, %.6g, %.6g) is outside the body; the nearest node is at (%.9g, %.9g, %.9g)",
+                history.name.c_str(), history.at->x, history.at->y, history.at->z, near.x, near.y, near.z);
+  throw DeckError(history.where, text);
+}
+
+bool finite(const std::vector<double>& values) {
+  for (const double v : values)
+    if (!std::isfinite(v)) return false;
+  return true;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Problem& problem, Observer& observer) : problem_(problem), observer_(observer) {
+  reference_displacement_.assign(3 * static_cast<std::size_t>(problem.blocks.node_count()), 0);
+  for (const History& h : problem.model.histories) {
+    Probe probe{&h, {}, {}};
+    if (h.at) {
+      probe.location = point_of(problem.model.mesh, h);
+    } else {
+      const Surface* surface = problem.model.mesh.find_surface(h.surface);
+      if (!surface) throw DeckError(h.where, "history '" + h.name + "': no surface is called '" + h.surface + "'");
+      probe.nodes = surface_nodes(problem.model.mesh, problem.blocks.corners, *surface);
+    }
+    HistoryTable table;
+    table.name = h.name;
+    add_columns(probe, table);
+    tables_.push_back(std::move(table));
+    probes_.push_back(std::move(probe));
+  }
+}
+
+void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
+  const auto vector = [&](const std::string& name, const char* unit) {
+    for (const char* axis : axes) {
+      table.columns.push_back(name + "." + axis);
+      table.units.push_back(unit);
+    }
+  };
+  for (const std::string& record : probe.history->record) {
+    const bool at_point = probe.history->at.has_value();
+    if (at_point && record == "displacement") {
+      vector(record, "m");
+    } else if (at_point && record == "temperature") {
+      table.columns.push_back(record);
+      table.units.push_back("degC");
+    } else if (at_point && record == "stress") {
+      for (const char* c : stress_components) {
+        table.columns.push_back(record + "." + c);
+        table.units.push_back("Pa");
+      }
+    } else if (!at_point && (record == "reaction" || record == "load")) {
+      vector(record, "N");
+    } else if (!at_point && record == "load_moment") {
+      vector(record, "N m");
+    } else {
+      throw DeckError(probe.history->where, "history '" + probe.history->name + "': cannot record '" + record + "' " +
+                                                (at_point ? "at a point; valid: displacement, temperature, stress"
+                                                          : "on a surface; valid: reaction, load, load_moment"));
+    }
+  }
+}
+
+std::vector<double> Recorder::displacement() const {
+  return problem_.to_blocks(problem_.backend->read(Field::displacement), 3);
+}
+
+void Recorder::reset_displacement() { reference_displacement_ = displacement(); }
+
+void Recorder::add_values(const Probe& probe, std::vector<double>& row) {
+  const Mesh& mesh = problem_.model.mesh;
+  const Blocks& blocks = problem_.blocks;
+  Backend& backend = *problem_.backend;
+  for (const std::string& record : probe.history->record) {
+    if (record == "displacement") {
+      const std::vector<double> u = displacement();
+      Vec3<double> value;
+      const auto add = [&](double weight, int n) {
+        for (int c = 0; c < 3; ++c) value[c] += weight * (u[3 * n + c] - reference_displacement_[3 * n + c]);
+      };
+      if (const int n = probe.location.node; n >= 0) {
+        const int copies = blocks.first_copy[n + 1] - blocks.first_copy[n];
+        for (int copy = blocks.first_copy[n]; copy < blocks.first_copy[n + 1]; ++copy) add(1.0 / copies, copy);
+      } else {
+        for (std::size_t k = 0; k < probe.location.weights.size(); ++k)
+          add(probe.location.weights[k], blocks.corners[mesh.first_corner[probe.location.element] + k]);
+      }
+      for (int c = 0; c < 3; ++c) row.push_back(value[c]);
+    } else if (record == "temperature") {
+      double value = temperature_.empty() ? problem_.model.reference_temperature : 0;
+      if (!temperature_.empty())
+        for (std::size_t k = 0; k < probe.location.weights.size(); ++k)
+          value += probe.location.weights[k] * temperature_[mesh.element(probe.location.element)[k]];
+      row.push_back(value);
+    } else if (record == "stress") {
+      backend.run(Phase::block_stress);
+      const std::vector<double> stress = element_stress(problem_, backend.read(Field::stress));
+      for (int c = 0; c < 6; ++c) row.push_back(stress[6 * static_cast<std::size_t>(probe.location.element) + c]);
+    } else if (record == "reaction") {
+      // What the supports hold: internal force less load on held components.
+      std::vector<double> support = problem_.to_blocks(backend.read(Field::force), 3);
+      const std::vector<double> load = problem_.to_blocks(backend.read(Field::load), 3);
+      const std::vector<double> fixed = problem_.to_blocks(backend.read(Field::fixed), 1);
+      Vec3<double> sum;
+      for (const int n : probe.nodes)
+        for (int c = 0; c < 3; ++c)
+          if ((static_cast<unsigned>(fixed[n]) >> c) & 1u) sum[c] += support[3 * n + c] - load[3 * n + c];
+      for (int c = 0; c < 3; ++c) row.push_back(sum[c]);
+    } else {
+      std::vector<Vec3<double>> points;
+      for (const int m : blocks.mesh_node) points.push_back(mesh.points[m]);
+      const Resultant r = resultant(points, surface_load_, probe.nodes);
+      const Vec3<double>& v = record == "load" ? r.force : r.moment;
+      for (int c = 0; c < 3; ++c) row.push_back(v[c]);
+    }
+  }
+}
+
+void Recorder::history_rows(const Moment& moment) {
+  for (std::size_t h = 0; h < probes_.size(); ++h) {
+    HistoryTable::Row row{problem_.model.stages[moment.stage].name, moment.time, moment.load_factor, {}};
+    add_values(probes_[h], row.values);
+    tables_[h].rows.push_back(std::move(row));
+  }
+}
+
+void Recorder::snapshot(const Moment& moment) {
+  Backend& backend = *problem_.backend;
+  Snapshot s;
+  s.stage = problem_.model.stages[moment.stage].name;
+  s.stage_number = moment.stage + 1;
+  s.time = moment.time;
+  s.load_factor = moment.load_factor;
+  s.stage_end = moment.stage_end;
+  s.displacement = displacement();
+  for (std::size_t i = 0; i < s.displacement.size(); ++i) s.displacement[i] -= reference_displacement_[i];
+  if (!temperature_.empty())
+    for (const int n : problem_.blocks.mesh_node) s.temperature.push_back(temperature_[n]);
+  if (finite(s.displacement)) {
+    backend.run(Phase::block_stress);
+    const std::vector<double> gauss = backend.read(Field::stress);
+    s.stress = element_stress(problem_, gauss);
+    s.nodal_stress = nodal_stress(problem_, gauss);
+    s.principal_stress = principal_stress(s.stress);
+  }
+  if (problem_.contacts.count() > 0) fill_contact_fields(ContactReader(problem_).read(), s);
+  observer_.output(s);
+}
+
+double HistoryTable::at(const std::string& column, const std::string& stage) const {
+  std::size_t index = 0;
+  while (index < columns.size() && columns[index] != column) ++index;
+  if (index == columns.size()) {
+    std::string valid;
+    for (const auto& c : columns) valid += (valid.empty() ? "" : ", ") + c;
+    throw std::out_of_range("history '" + name + "' has no column '" + column + "'; it has " + valid);
+  }
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row)
+    if (stage.empty() || row->stage == stage) return row->values[index];
+  throw std::out_of_range("history '" + name + "' has no row of stage '" + stage + "'");
+}
+
+}  // namespace ashlar

@@ -1,0 +1,54 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "model/locate.hpp"
+#include "solve/observer.hpp"
+#include "solve/problem.hpp"
+
+/// Reads the machine's state back for people: history rows and snapshots of all fields.
+namespace ashlar {
+
+/// Where a run is: for rows and snapshots.
+struct Moment {
+  int stage = 0;    ///< 0-based
+  double time = 0;  ///< stages done, with the fraction of the present one
+  double load_factor = 0;
+  bool stage_end = false;
+};
+
+class Recorder {
+ public:
+  /// Throws DeckError: a history's point outside the body, a name in `record` that does not exist, a surface without
+  /// facets.
+  Recorder(const Problem& problem, Observer& observer);
+
+  /// Loads on surfaces of the present stage, for records of `load`. [3 * block nodes] N, Blocks order.
+  void surface_load(std::vector<double> load) { surface_load_ = std::move(load); }
+  /// Temperature that stress sees and the thermal one, degC, [mesh nodes]; empty: the model has none.
+  void temperature(std::vector<double> temperature) { temperature_ = std::move(temperature); }
+  /// Displacement counts from the present state from now on (numerics 7).
+  void reset_displacement();
+
+  void history_rows(const Moment& moment);
+  void snapshot(const Moment& moment);
+  std::vector<HistoryTable> take_histories() { return std::move(tables_); }
+
+ private:
+  struct Probe {
+    const History* history;
+    Location location;       ///< histories at a point
+    std::vector<int> nodes;  ///< histories of a surface: block nodes
+  };
+  void add_columns(const Probe& probe, HistoryTable& table) const;
+  void add_values(const Probe& probe, std::vector<double>& row);
+  std::vector<double> displacement() const;
+
+  const Problem& problem_;
+  Observer& observer_;
+  std::vector<Probe> probes_;
+  std::vector<HistoryTable> tables_;
+  std::vector<double> reference_displacement_, surface_load_, temperature_;
+};
+
+}  // namespace ashlar

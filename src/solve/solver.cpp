@@ -1,0 +1,264 @@
+#include "solve/solver.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "solve/fracture.hpp"
+#include "solve/recorder.hpp"
+#include "solve/relaxation.hpp"
+#include "solve/stage_conditions.hpp"
+#include "solve/thermal.hpp"
+
+namespace ashlar {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+bool is_thermal(const Stage& stage) { return std::holds_alternative<ThermalSolve>(stage.solve); }
+
+std::string kind_of(const Stage& stage) {
+  if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve))
+    return thermal->steady ? "thermal steady" : "thermal transient";
+  return std::holds_alternative<FractureSolve>(stage.solve) ? "fracture" : "static";
+}
+
+bool has_temperature(const Model& model) {
+  for (const Stage& s : model.stages)
+    if (is_thermal(s)) return true;
+  for (const Condition& c : model.conditions)
+    if (std::holds_alternative<TemperatureField>(c.kind) || std::holds_alternative<InitialTemperature>(c.kind))
+      return true;
+  return false;
+}
+
+/// Fraction of a relaxation that is done, from how far the ratio has fallen.
+double relaxation_fraction(double start, double ratio, double goal) {
+  if (!(ratio > 0) || !(start > goal)) return 0;
+  return std::clamp(std::log(start / ratio) / std::log(start / goal), 0.0, 1.0);
+}
+
+class Run {
+ public:
+  Run(Problem& problem, Observer& observer)
+      : problem_(problem),
+        observer_(observer),
+        recorder_(problem, observer),
+        warm_(has_temperature(problem.model)),
+        temperature_(problem.model.mesh.points.size(), problem.model.reference_temperature),
+        body_temperature_(temperature_),
+        shift_(temperature_.size(), 0.0) {
+    result_.device = problem.backend->name();
+  }
+
+  RunResult run() {
+    if (warm_) recorder_.temperature(temperature_);
+    if (!problem_.model.stages.empty()) recorder_.history_rows({0, 0, 0, false});
+    for (stage_ = 0; stage_ < static_cast<int>(problem_.model.stages.size()); ++stage_) {
+      run_stage();
+      if (!result_.stages.back().converged) break;
+    }
+    result_.histories = recorder_.take_histories();
+    return std::move(result_);
+  }
+
+ private:
+  const Stage& stage() const { return problem_.model.stages[stage_]; }
+
+  void run_stage() {
+    const auto start = Clock::now();
+    const std::vector<double> seconds_before = phase_seconds();
+    outcome_ = {};
+    outcome_.name = stage().name;
+    outcome_.kind = kind_of(stage());
+    observer_.stage_begins(stage_ + 1, stage().name, outcome_.kind);
+    if (warm_) prescribe_temperature(problem_.model, stage_, temperature_);
+    std::visit([this](const auto& how) { solve_stage(how); }, stage().solve);
+    temperatures_at_end_[stage().name] = temperature_;
+
+    record({stage_, stage_ + 1.0, outcome_.load_factor, true});
+    outcome_.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const std::vector<double> seconds_after = phase_seconds();
+    for (int p = 0; p < static_cast<int>(Phase::count); ++p)
+      if (seconds_after[p] > seconds_before[p])
+        outcome_.phases.push_back({phase_name(static_cast<Phase>(p)), seconds_after[p] - seconds_before[p]});
+    observer_.stage_ends(outcome_);
+    result_.stages.push_back(outcome_);
+    if (stage().reset_displacement) recorder_.reset_displacement();
+  }
+
+  std::vector<double> phase_seconds() const {
+    std::vector<double> seconds;
+    for (int p = 0; p < static_cast<int>(Phase::count); ++p)
+      seconds.push_back(problem_.backend->seconds(static_cast<Phase>(p)));
+    return seconds;
+  }
+
+  void record(const Moment& moment) {
+    if (warm_) recorder_.temperature(is_thermal(stage()) ? temperature_ : body_temperature_);
+    recorder_.history_rows(moment);
+    if (moment.stage_end || wants_output(moment)) recorder_.snapshot(moment);
+  }
+
+  /// Outputs inside a stage: every n-th increment.
+  bool wants_output(const Moment& moment) const {
+    const auto* fracture = std::get_if<FractureSolve>(&stage().solve);
+    if (!fracture) return false;
+    const long increment = std::lround(moment.load_factor * fracture->increments);
+    for (const Output& o : problem_.model.outputs)
+      if (o.every > 0 && increment % o.every == 0 && increment < fracture->increments) return true;
+    return false;
+  }
+
+  // ------------------------------------------------------------------ stress
+
+  void set_body_temperature(const std::vector<double>& temperature) {
+    body_temperature_ = temperature;
+    write_temperature(problem_, temperature);
+    problem_.backend->run(Phase::gauss_temperature);
+    problem_.backend->use_warming(true);
+  }
+
+  /// Load, supports and given displacements of the stage; returns what Fracture wants to know.
+  FractureLinks set_up(const Relaxation& relaxation) {
+    Backend& backend = *problem_.backend;
+    MechanicalConditions conditions = mechanical_conditions(problem_, stage_);
+    backend.write(Field::load, problem_.to_machine(conditions.load, 3));
+    backend.write(Field::fixed, problem_.to_machine(conditions.fixed, 1));
+    if (!conditions.prescribed.empty()) {
+      std::vector<double> u = problem_.to_blocks(backend.read(Field::displacement), 3);
+      for (std::size_t i = 0; i < conditions.prescribed.size(); ++i)
+        u[conditions.prescribed[i]] = conditions.displacement[i];
+      backend.write(Field::displacement, problem_.to_machine(u, 3));
+    }
+    set_virtual_mass(backend, relaxation);
+
+    FractureLinks links;
+    links.surface_load = problem_.to_machine(conditions.surface_load, 3);
+    recorder_.surface_load(std::move(conditions.surface_load));
+    links.relax = [this, &relaxation](const RelaxationWatch& watch) {
+      double start = 0;
+      Equilibrium e = relax(*problem_.backend, relaxation, thermal_load_, [&](long step, double ratio) {
+        if (start == 0) start = ratio;
+        relaxed_ = relaxation_fraction(start, ratio, relaxation.tolerance);
+        tell(step, ratio, relaxation.tolerance);
+        const bool stop_wanted = watch && watch(step, ratio);
+        return observer_.interrupted() || stop_wanted;
+      });
+      result_.interrupted = result_.interrupted || (e.interrupted && observer_.interrupted());
+      return e;
+    };
+    links.cracked = [this](const CrackEvent& event) { observer_.crack(stage().name, event); };
+    return links;
+  }
+
+  void tell(long step, double ratio, double target) {
+    const auto now = Clock::now();
+    if (now - told_ < std::chrono::milliseconds(100)) return;
+    told_ = now;
+    Progress p;
+    p.stage_number = stage_ + 1;
+    p.stage_count = static_cast<int>(problem_.model.stages.size());
+    p.stage = stage().name;
+    p.kind = outcome_.kind;
+    p.step = step;
+    p.ratio = ratio;
+    p.target = target;
+    p.increment = increment_;
+    p.increments = increments_;
+    p.fraction = increments_ > 0 ? (increment_ + relaxed_) / increments_ : relaxed_;
+    observer_.progress(p);
+  }
+
+  void solve_stage(const StaticSolve& how) {
+    increment_ = increments_ = 0;
+    if (warm_) {
+      std::vector<double> seen = temperature_;
+      for (std::size_t n = 0; n < seen.size(); ++n) seen[n] += shift_[n];
+      set_body_temperature(seen);
+    }
+    const FractureLinks links = set_up(how.relaxation);
+    thermal_load_ = warm_ ? thermal_load_norm(*problem_.backend) : 0;
+    Fracture fracture(problem_, links, max_static_events);
+    outcome_.converged = fracture.settle(1);
+    fracture.fill(outcome_);
+  }
+
+  void solve_stage(const FractureSolve& how) {
+    increment_ = 0;
+    increments_ = how.increments;
+    const std::vector<double> base = body_temperature_;
+    std::vector<double> change = temperatures_at_end_.at(how.to);
+    for (std::size_t n = 0; n < change.size(); ++n)
+      change[n] -= how.from.empty() ? problem_.model.reference_temperature : temperatures_at_end_.at(how.from)[n];
+    const auto set_load_factor = [&](double factor) {
+      std::vector<double> temperature = base;
+      for (std::size_t n = 0; n < temperature.size(); ++n) temperature[n] += factor * change[n];
+      set_body_temperature(temperature);
+    };
+    FractureLinks links = set_up(how.relaxation);
+    set_load_factor(1);
+    thermal_load_ = thermal_load_norm(*problem_.backend);
+    set_load_factor(0);
+    links.set_load_factor = set_load_factor;
+    links.increment_reached = [&](double factor) {
+      ++increment_;
+      if (factor < 1) record({stage_, stage_ + factor, factor, false});
+    };
+    Fracture fracture(problem_, links, how.max_events);
+    outcome_.converged = fracture.settle(0) && fracture.advance(how.increments);
+    fracture.fill(outcome_);
+    for (std::size_t n = 0; n < shift_.size(); ++n)
+      shift_[n] = body_temperature_[n] - temperatures_at_end_.at(how.to)[n];
+  }
+
+  // ------------------------------------------------------------------ heat
+
+  void solve_stage(const ThermalSolve& how) {
+    increment_ = 0;
+    increments_ = how.steady ? 0 : 100;
+    write_temperature(problem_, temperature_);
+    const ThermalResult r = solve_thermal(problem_, stage_, [&](const ThermalProgress& progress) {
+      relaxed_ = progress.fraction;
+      if (!how.steady) {
+        increment_ = static_cast<int>(100 * progress.fraction);
+        relaxed_ = 0;
+      }
+      tell(progress.step, progress.ratio, how.steady ? how.tolerance : 0);
+      return observer_.interrupted();
+    });
+    temperature_ = read_temperature(problem_);
+    result_.interrupted = result_.interrupted || r.interrupted;
+    outcome_.converged = r.converged;
+    outcome_.stop_reason = r.stop_reason;
+    outcome_.steps = r.steps;
+    outcome_.ratio = r.ratio;
+  }
+
+  static constexpr long max_static_events = 100000;
+
+  Problem& problem_;
+  Observer& observer_;
+  Recorder recorder_;
+  bool warm_;
+  RunResult result_;
+  int stage_ = 0;
+  StageResult outcome_;
+  std::vector<double> temperature_;       ///< of the body in time, degC, mesh nodes
+  std::vector<double> body_temperature_;  ///< that stress sees: changed by static and fracture stages only
+  std::vector<double> shift_;  ///< body temperature less temperature: a fracture stage loads by a difference, and
+                               ///< later stages go on from there
+  std::map<std::string, std::vector<double>> temperatures_at_end_;
+  double thermal_load_ = 0;
+  int increment_ = 0, increments_ = 0;
+  double relaxed_ = 0;
+  Clock::time_point told_{};
+};
+
+}  // namespace
+
+RunResult solve(Problem& problem, Observer& observer) { return Run(problem, observer).run(); }
+
+}  // namespace ashlar
