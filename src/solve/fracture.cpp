@@ -1,0 +1,187 @@
+#include "solve/fracture.hpp"
+
+#include <algorithm>
+
+namespace ashlar {
+
+namespace {
+
+constexpr double most_over_strength = 1.005;   // numerics 5
+constexpr double aimed_over_strength = 1.001;  // where the search for the first crack aims: surely over, hardly over
+constexpr double finest_advance = 1e-9;        // of the load factor: below this the path jumps
+constexpr long support_interval = 1000;        // relaxation steps between two looks for bodies that float away
+
+}  // namespace
+
+Fracture::Fracture(const Problem& problem, FractureLinks links, long max_events)
+    : problem_(problem), links_(std::move(links)), max_events_(max_events), contacts_(problem), cracks_(problem) {}
+
+bool Fracture::stop(const std::string& reason) {
+  stop_reason_ = reason;
+  return false;
+}
+
+Fracture::State Fracture::present(double factor) {
+  return {factor, problem_.backend->read(Field::displacement), problem_.backend->read(Field::slip)};
+}
+
+void Fracture::restore(const State& state) {
+  problem_.backend->write(Field::displacement, state.displacement);
+  problem_.backend->write(Field::slip, state.slip);
+}
+
+void Fracture::keep(double factor, bool smooth) {
+  State now = present(factor);
+  if (smooth && !kept_.displacement.empty() && factor > kept_.factor) {
+    rate_.resize(now.displacement.size());
+    for (std::size_t i = 0; i < rate_.size(); ++i)
+      rate_[i] = (now.displacement[i] - kept_.displacement[i]) / (factor - kept_.factor);
+  }
+  kept_ = std::move(now);
+  cracks_.book_sliding();
+}
+
+/// Holds every body that nothing keeps in place where it is, so that it takes no further part.
+/// False: one of them carries a load other than its weight.
+bool Fracture::hold_free_bodies() {
+  const auto bodies = free_bodies(problem_, contacts_.read());
+  if (bodies.empty()) return true;
+  Backend& backend = *problem_.backend;
+  auto fixed = backend.read(Field::fixed), velocity = backend.read(Field::velocity);
+  bool loaded = false;
+  for (const auto& body : bodies) {
+    free_blocks_.insert(free_blocks_.end(), body.blocks.begin(), body.blocks.end());
+    for (const int n : body.nodes) {
+      fixed[n] = 7;
+      for (int i = 0; i < 3; ++i) {
+        velocity[3 * n + i] = 0;
+        loaded = loaded || (!links_.surface_load.empty() && links_.surface_load[3 * n + i] != 0);
+      }
+    }
+  }
+  std::sort(free_blocks_.begin(), free_blocks_.end());
+  backend.write(Field::fixed, fixed);
+  backend.write(Field::velocity, velocity);
+  return loaded ? stop("block free") : true;
+}
+
+bool Fracture::relax() {
+  // A body that lost its hold may fall back on its neighbours: it floats away if nothing holds it at two looks in a
+  // row.
+  std::size_t floating_before = 0;
+  bool stopped = false;
+  const auto watch = [&](long step, double) {
+    if (!cracks_.can_separate() || step % support_interval != 0) return false;
+    const auto floating = free_bodies(problem_, contacts_.read()).size();
+    if (floating > 0 && floating_before > 0) {
+      stopped = !hold_free_bodies();
+      floating_before = 0;
+    } else {
+      floating_before = floating;
+    }
+    return stopped;
+  };
+  last_ = links_.relax(watch);
+  steps_ += last_.steps;
+  if (stopped) return false;
+  if (!last_.converged) return stop(last_.stop_reason);
+  return !cracks_.can_separate() || hold_free_bodies();
+}
+
+bool Fracture::settle(double load_factor) {
+  const std::size_t events_before = events_.size();
+  if (!relax()) return false;
+  while (cracks_.largest_utilisation() >= 1) {
+    if (static_cast<long>(events_.size()) >= max_events_) return stop("event limit");
+    cracks_.book_sliding();
+    events_.push_back(cracks_.break_worst_group(load_factor));
+    if (links_.cracked) links_.cracked(events_.back());
+    if (!relax()) return false;
+  }
+  keep(load_factor, events_.size() == events_before);
+  stop_reason_ = "converged";
+  return true;
+}
+
+/// Equilibrium at `factor`, started on the straight line through the last equilibria between which nothing broke.
+bool Fracture::reach(double factor) {
+  State start = kept_;
+  for (std::size_t i = 0; i < rate_.size(); ++i) start.displacement[i] += (factor - kept_.factor) * rate_[i];
+  restore(start);
+  links_.set_load_factor(factor);
+  return relax();
+}
+
+/// Fraction of the way from the kept state to `high` at which a contact point first uses its strength.
+double Fracture::first_crossing(const State& high) {
+  Backend& backend = *problem_.backend;
+  backend.write(Field::displacement_before, kept_.displacement);
+  backend.write(Field::displacement, high.displacement);
+  backend.run(Phase::spring_crossing);
+  const auto fractions = backend.read(Field::utilisation);
+  return std::clamp(*std::min_element(fractions.begin(), fractions.end()), 0.0, 1.0);
+}
+
+/// From equilibrium `high`, whose worst contact point uses `used` > 1 of its strength, back to one where it uses 1
+/// to 1.005 of it; moves the kept state up where it proves to be below. Returns its load factor, nothing if stopped.
+std::optional<double> Fracture::reach_first_crack(State high, double used) {
+  while (used > most_over_strength) {
+    const double width = high.factor - kept_.factor;
+    // Utilisation is convex along a straight way, so between the crossing and `high` it stays below its chord.
+    const double crossing = first_crossing(high);
+    const double fraction = crossing + (1 - crossing) * (aimed_over_strength - 1) / (used - 1);
+    State middle = kept_;
+    middle.factor += fraction * width;
+    for (std::size_t i = 0; i < middle.displacement.size(); ++i)
+      middle.displacement[i] += fraction * (high.displacement[i] - kept_.displacement[i]);
+
+    const bool path_jumps = width < finest_advance;
+    restore(path_jumps ? high : middle);
+    const double factor = path_jumps ? high.factor : middle.factor;
+    links_.set_load_factor(factor);
+    if (!relax()) return std::nullopt;
+    if (path_jumps) return factor;
+
+    const double used_there = cracks_.largest_utilisation();
+    if (used_there < 1) {
+      keep(factor, true);
+    } else {
+      used = used_there;
+      high = present(factor);
+    }
+  }
+  return high.factor;
+}
+
+bool Fracture::advance(int increments) {
+  links_.set_load_factor(0);
+  if (!settle(0)) return false;
+  for (int i = 1; i <= increments; ++i) {
+    const double target = static_cast<double>(i) / increments;
+    while (kept_.factor < target) {
+      if (!reach(target)) return false;
+      const double used = cracks_.largest_utilisation();
+      if (used < 1) {
+        keep(target, true);
+        break;
+      }
+      const auto factor = reach_first_crack(present(target), used);
+      if (!factor || !settle(*factor)) return false;
+    }
+    if (links_.increment_reached) links_.increment_reached(target);
+  }
+  return true;
+}
+
+void Fracture::fill(StageResult& result) {
+  result.converged = stop_reason_ == "converged";
+  result.stop_reason = stop_reason_;
+  result.steps = steps_;
+  result.ratio = last_.ratio;
+  result.load_factor = kept_.factor;
+  result.events = events_;
+  result.free_blocks = free_blocks_;
+  cracks_.fill(result);
+}
+
+}  // namespace ashlar

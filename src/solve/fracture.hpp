@@ -1,0 +1,80 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solve/crack_events.hpp"
+#include "solve/relaxation.hpp"
+#include "solve/support.hpp"
+
+/// Equilibrium with cracks: in a static stage at one load, in a fracture stage along a load factor (numerics 5 and 7).
+namespace ashlar {
+
+/// What a stage lends to the search for equilibrium.
+struct FractureLinks {
+  /// Relaxation at the present load from the present displacement; `watch` as in relax().
+  std::function<Equilibrium(const RelaxationWatch& watch)> relax;
+  /// Sets load and temperature of a load factor. Not needed by static stages.
+  std::function<void(double load_factor)> set_load_factor;
+  /// [3 * block nodes, the machine's numbering] N: loads other than weight. A free body under such a load stops the
+  /// stage.
+  std::vector<double> surface_load;
+  /// Called for every crack event.
+  std::function<void(const CrackEvent&)> cracked;
+  /// Called at the end of every increment of the load factor, at equilibrium.
+  std::function<void(double load_factor)> increment_reached;
+};
+
+class Fracture {
+ public:
+  /// `problem` outlives this.
+  Fracture(const Problem& problem, FractureLinks links, long max_events);
+
+  /// Equilibrium at the present load: relax; while a contact point uses its strength crack the worst group and relax
+  /// again. False: stopped, see stop_reason().
+  bool settle(double load_factor);
+
+  /// From equilibrium at load factor 0 to 1 in equal increments. Where contact points would crack inside an increment
+  /// the load factor stops at the first of them, at most 0.5 % above its strength, and goes on from there.
+  bool advance(int increments);
+
+  /// Stop reason, steps, ratio of the last relaxation, load factor reached, events, cracked area, free blocks,
+  /// dissipated energy.
+  void fill(StageResult& result);
+
+  const std::string& stop_reason() const { return stop_reason_; }
+  double load_factor() const { return kept_.factor; }
+  double cracked_fraction() { return cracks_.cracked_fraction(); }
+
+ private:
+  /// All that a load factor can be tried again from.
+  struct State {
+    double factor = 0;
+    std::vector<double> displacement, slip;
+  };
+  State present(double factor);
+  void restore(const State& state);
+  bool relax();
+  bool hold_free_bodies();
+  bool reach(double factor);
+  double first_crossing(const State& high);
+  std::optional<double> reach_first_crack(State high, double used);
+  bool stop(const std::string& reason);
+  void keep(double factor, bool smooth);
+
+  const Problem& problem_;
+  FractureLinks links_;
+  long max_events_;
+  ContactReader contacts_;
+  CrackEvents cracks_;
+  State kept_;                ///< the last equilibrium without over-strength
+  std::vector<double> rate_;  ///< displacement per load factor over the last advance; empty at first
+  std::vector<CrackEvent> events_;
+  std::vector<int> free_blocks_;
+  Equilibrium last_;
+  long steps_ = 0;
+  std::string stop_reason_;
+};
+
+}  // namespace ashlar
