@@ -16,7 +16,7 @@ inline std::string number_text(double v) {
 /// "(x, y, z)"
 inline std::string place_text(const Vec3<double>& p) {
   char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x, p.y, p.z);
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.x + 0.0, p.y + 0.0, p.z + 0.0);  // no -0
   return text;
 }
 
