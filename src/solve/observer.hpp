@@ -41,9 +41,9 @@ struct Progress {
 class Observer {
  public:
   virtual ~Observer() = default;
-  virtual void stage_begins(int number, const std::string& name, const std::string& kind) {}
+  virtual void stage_begins(int /*number*/, const std::string& /*name*/, const std::string& /*kind*/) {}
   virtual void progress(const Progress&) {}               ///< at most about ten times a second
-  virtual void crack(const std::string& stage, const CrackEvent&) {}
+  virtual void crack(const std::string& /*stage*/, const CrackEvent&) {}
   virtual void output(const Snapshot&) {}
   virtual void history_row(const HistoryTable&) {}       ///< the table's last row is new
   virtual void stage_ends(const StageResult&) {}

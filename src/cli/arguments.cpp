@@ -1,0 +1,137 @@
+#include "cli/arguments.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "base/nearest_name.hpp"
+
+namespace ashlar {
+namespace {
+
+struct Option {
+  std::string name;
+  std::string value;  ///< what follows it, as usage lines show it; empty: nothing
+  std::string doc;
+};
+
+const std::vector<Option>& options() {
+  static const std::vector<Option> all = {
+      {"--set", "NAME=VALUE", "gives an argument of the deck (deck.args); may be repeated"},
+      {"--threads", "N", "number of threads (all cores)"},
+      {"--out", "DIR", "folder for the results (DECK without .lua, plus .run)"},
+      {"--force", "", "replaces the results of an earlier run"},
+  };
+  return all;
+}
+
+const Verb& verb_named(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Verb& verb : verbs()) {
+    if (verb.name == word) return verb;
+    names.push_back(verb.name);
+  }
+  throw UsageError("unknown command '" + word + "'" + suggest_name(word, names));
+}
+
+int thread_count(const std::string& text) {
+  int count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc() || end != text.data() + text.size() || count < 1)
+    throw UsageError("--threads takes a whole number of at least 1, not '" + text + "'");
+  return count;
+}
+
+std::pair<std::string, std::string> setting(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos)
+    throw UsageError("--set takes NAME=VALUE, such as --set water=155, not '" + text + "'");
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+void take_option(Arguments& arguments, const std::string& name, const std::string& value) {
+  if (name == "--set") arguments.settings.push_back(setting(value));
+  if (name == "--threads") arguments.threads = thread_count(value);
+  if (name == "--out") arguments.out = value;
+  if (name == "--force") arguments.force = true;
+}
+
+}  // namespace
+
+std::span<const Verb> verbs() {
+  static const std::vector<Verb> all = {
+      {"run", "DECK", 1, 1, {"--set", "--threads", "--out", "--force"}, "solves a deck and writes its results"},
+      {"check", "DECK", 1, 1, {"--set", "--threads"}, "reads a deck and shows mesh, contacts and plan without solving"},
+      {"plot",
+       "RUN [--of FIELD ...]",
+       0,
+       0,
+       {},
+       "makes pictures of a run; 'ashlar plot --help' lists what it can draw"},
+      {"info", "[RUN]", 0, 1, {}, "the summary of a finished run; without RUN: this program and this machine"},
+      {"bench", "", 0, 0, {"--threads", "--out"}, "measures element-steps per second on this machine"},
+      {"help", "[NOUN]", 0, 1, {}, "this page, or the keys of a noun of the deck language"},
+      {"version", "", 0, 0, {}, "the version"},
+  };
+  return all;
+}
+
+Arguments parse_arguments(const std::vector<std::string>& words) {
+  Arguments arguments;
+  if (words.empty() || words[0] == "-h" || words[0] == "--help") {
+    arguments.verb = "help";
+    return arguments;
+  }
+  const Verb& verb = verb_named(words[0] == "--version" ? "version" : words[0]);
+  arguments.verb = verb.name;
+  if (verb.name == "plot") {
+    arguments.passed.assign(words.begin() + 1, words.end());
+    return arguments;
+  }
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    std::string name = words[i];
+    if (name.size() < 2 || name[0] != '-') {
+      arguments.operands.push_back(name);
+      continue;
+    }
+    const auto equals = name.find('=');
+    const bool joined = equals != std::string::npos;
+    const std::string after = joined ? name.substr(equals + 1) : "";
+    name = name.substr(0, equals);
+    if (std::find(verb.options.begin(), verb.options.end(), name) == verb.options.end())
+      throw UsageError("'" + verb.name + "' has no option '" + name + "'" + suggest_name(name, verb.options));
+    const Option& option = *std::find_if(options().begin(), options().end(), [&](auto& o) { return o.name == name; });
+    if (option.value.empty()) {
+      if (joined) throw UsageError(name + " takes no value");
+      take_option(arguments, name, "");
+    } else if (joined) {
+      take_option(arguments, name, after);
+    } else {
+      if (i + 1 == words.size()) throw UsageError(name + " needs a value: " + name + " " + option.value);
+      take_option(arguments, name, words[++i]);
+    }
+  }
+  const int given = static_cast<int>(arguments.operands.size());
+  if (given < verb.fewest_operands || given > verb.most_operands)
+    throw UsageError("usage: ashlar " + verb.name + (verb.operands.empty() ? "" : " " + verb.operands) +
+                     (verb.options.empty() ? "" : " [options]") + ", see 'ashlar help'");
+  return arguments;
+}
+
+std::string usage_page() {
+  const auto column = [](std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size() + 1), ' ');
+    return text;
+  };
+  std::string page = "usage: ashlar COMMAND [operands] [options]\n\n";
+  for (const Verb& verb : verbs())
+    page += "  " + column(verb.name + (verb.operands.empty() ? "" : " " + verb.operands), 28) + verb.doc + "\n";
+  page += "\noptions of run; check takes --set and --threads, bench --threads and --out\n";
+  for (const Option& option : options())
+    page += "  " + column(option.name + (option.value.empty() ? "" : " " + option.value), 28) + option.doc + "\n";
+  page +=
+      "\nexit codes: 0 done, 1 error in the program, 2 wrong deck or command, 3 not converged, 4 an expect failed,\n"
+      "            5 memory, disk or device missing, 130 interrupted\n";
+  return page;
+}
+
+}  // namespace ashlar

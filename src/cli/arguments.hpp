@@ -1,0 +1,44 @@
+#pragma once
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ashlar {
+
+/// What was typed makes no sense; the message says what would. Exit code 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The command line after the program's name.
+struct Arguments {
+  std::string verb;
+  std::vector<std::string> operands;                          ///< words that are no options
+  std::vector<std::pair<std::string, std::string>> settings;  ///< --set name=value, in order
+  int threads = 0;                                            ///< --threads; 0: all cores
+  std::string out;                                            ///< --out
+  bool force = false;                                         ///< --force
+  std::vector<std::string> passed;  ///< plot: everything after the verb, for the plotting program
+};
+
+/// Throws UsageError: unknown verb or option (with the nearest one), missing or bad value, too few or too many
+/// operands.
+Arguments parse_arguments(const std::vector<std::string>& words);
+
+/// One verb of the program.
+struct Verb {
+  std::string name;
+  std::string operands;  ///< as usage lines show them: "DECK", "[NOUN]"
+  int fewest_operands = 0, most_operands = 0;
+  std::vector<std::string> options;  ///< names of those that the verb takes
+  std::string doc;
+};
+std::span<const Verb> verbs();
+
+/// The page that `ashlar help` prints above the nouns.
+std::string usage_page();
+
+}  // namespace ashlar

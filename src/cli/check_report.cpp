@@ -1,0 +1,169 @@
+#include "cli/check_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "cli/estimate.hpp"
+#include "cli/left_out.hpp"
+#include "cli/page.hpp"
+#include "cli/wording.hpp"
+#include "model/blocks.hpp"
+#include "model/check_mesh.hpp"
+#include "model/conditions.hpp"
+#include "physics/laws/laws.hpp"
+
+namespace ashlar {
+namespace {
+
+const Material* material_of(const Model& model, const std::string& region) {
+  for (const Material& material : model.materials)
+    if (std::find(material.regions.begin(), material.regions.end(), region) != material.regions.end()) return &material;
+  return nullptr;
+}
+
+void describe_mesh(Page& page, const Model& model, const MeshQuality& quality) {
+  const Mesh& mesh = model.mesh;
+  std::map<Shape, long> by_shape;
+  for (Shape shape : mesh.shapes) ++by_shape[shape];
+  std::string shapes;
+  for (const auto& [shape, count] : by_shape)
+    shapes += (shapes.empty() ? "" : ", ") + count_text(count) + " " + shape_name(shape);
+  page.line("mesh", counted(mesh.element_count(), "element") + " (" + shapes + "), " +
+                        counted(mesh.node_count(), "node") + text(", %.6g m^3", quality.volume));
+  Vec3<double> low = mesh.points[0], high = low;
+  for (const auto& p : mesh.points)
+    for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
+  page.line("mesh", "from " + place_text(low) + " to " + place_text(high));
+  const auto worst = [](const WorstElement& w, const char* format) {
+    return text(format, w.value) + " at " + place_text(w.place);
+  };
+  page.line("quality", worst(quality.smallest_edge, "smallest edge %.4g m"));
+  page.line("quality", worst(quality.worst_aspect, "largest aspect ratio %.3g"));
+  page.line("quality", worst(quality.worst_scaled_jacobian, "smallest scaled Jacobian %.3f (1 is best)"));
+}
+
+void describe_regions(Page& page, const Model& model, const MeshQuality& quality) {
+  const Mesh& mesh = model.mesh;
+  for (std::size_t r = 0; r < mesh.region_names.size(); ++r) {
+    const long count = std::count(mesh.regions.begin(), mesh.regions.end(), static_cast<int>(r));
+    const Material* material = material_of(model, mesh.region_names[r]);
+    page.line("region", text("%s: %s, %.6g m^3", mesh.region_names[r].c_str(), counted(count, "element").c_str(),
+                             quality.region_volume[r]) +
+                            (material ? ", " + mass_text(material->density * quality.region_volume[r]) + ", " +
+                                            material->name + " (" + material->law + ")"
+                                      : ", no material"));
+  }
+}
+
+void describe_surfaces(Page& page, const Model& model) {
+  std::map<std::string, std::string> users;
+  for (const Condition& condition : model.conditions)
+    for (const std::string& name : condition.surfaces) {
+      std::string& list = users[name];
+      if (list.find(condition.noun) == std::string::npos) list += (list.empty() ? "" : ", ") + condition.noun;
+    }
+  for (const Surface& surface : model.mesh.surfaces) {
+    double area = 0;
+    for (const Facet& facet : surface.facets) area += norm(model.mesh.facet_area(facet));
+    const std::string& use = users[surface.name];
+    page.line("surface", text("%s: %s, %.6g m^2", surface.name.c_str(),
+                              counted(static_cast<long>(surface.facets.size()), "facet").c_str(), area) +
+                             (use.empty() ? "" : ", " + use));
+  }
+}
+
+struct ContactSum {
+  long faces = 0, points = 0;
+  double area = 0, lowest = 0, highest = 0;
+  double spring_compliance = 0,
+         body_compliance = 0;  ///< area times compliance per area, of springs and of the elements beside them
+};
+
+/// Compliance of a spring per area, 1 / k_n, against that of the element halves beside it, h / E_oed (numerics 5).
+std::vector<ContactSum> sum_contacts(const Model& model, const Blocks& blocks, const ContactPoints& contacts) {
+  std::vector<ContactSum> sums(model.interfaces.size());
+  for (const InterfaceFace& face : blocks.faces) ++sums[face.interface].faces;
+  for (int i = 0; i < contacts.count(); ++i) {
+    ContactSum& sum = sums[contacts.interface[i]];
+    const InterfaceFace& face = blocks.faces[contacts.face[i]];
+    const double spring = contacts.normal_stiffness[i];
+    sum.lowest = sum.points ? std::min(sum.lowest, spring) : spring;
+    sum.highest = std::max(sum.highest, spring);
+    ++sum.points;
+    sum.area += contacts.area[i];
+    sum.spring_compliance += contacts.area[i] / spring;
+    const double face_area = norm(model.mesh.facet_area(face.a));
+    for (const Facet& side : {face.a, face.b}) {
+      const Material* material = material_of(model, model.mesh.region_names[model.mesh.regions[side.element]]);
+      const double half_height = element_volume(model.mesh, side.element) / face_area / 2;
+      const double stiffness = make_law<Elastic>(material->values).oedometric();
+      sum.body_compliance += contacts.area[i] * half_height / stiffness;
+    }
+  }
+  return sums;
+}
+
+void describe_contacts(Page& page, const Model& model, const Blocks& blocks, const ContactPoints& contacts) {
+  if (model.interfaces.empty()) return;
+  page.line("blocks", counted(blocks.block_count, "block") + ", " + counted(blocks.node_count(), "block node"));
+  const auto sums = sum_contacts(model, blocks, contacts);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const Interface& interface = model.interfaces[i];
+    const ContactSum& sum = sums[i];
+    const std::string noun = interface.crackable ? "crackable" : "joint";
+    page.line("contacts",
+              text("%s %s (%s): %s, %.6g m^2, %s", noun.c_str(), interface.name.c_str(), interface.law.c_str(),
+                   counted(sum.faces, "face").c_str(), sum.area, counted(sum.points, "contact point").c_str()));
+    if (sum.points)
+      page.line("contacts",
+                text("  normal stiffness %.3g to %.3g Pa/m: across its faces the elements are about %.2g %% too soft",
+                     sum.lowest, sum.highest, 100 * sum.spring_compliance / sum.body_compliance));
+  }
+}
+
+std::string solve_words(const Stage& stage) {
+  if (const auto* s = std::get_if<StaticSolve>(&stage.solve))
+    return text("static, to a ratio of %g", s->relaxation.tolerance);
+  if (const auto* t = std::get_if<ThermalSolve>(&stage.solve))
+    return t->steady ? std::string("thermal, steady") : text("thermal, %.6g days", t->duration / 86400);
+  const auto& f = std::get<FractureSolve>(stage.solve);
+  return text("fracture, from %s to %s in %d increments, to a ratio of %g",
+              f.from.empty() ? "the reference temperature" : f.from.c_str(), f.to.c_str(), f.increments,
+              f.relaxation.tolerance);
+}
+
+void describe_plan(Page& page, const Model& model) {
+  for (std::size_t i = 0; i < model.stages.size(); ++i) {
+    page.line("stage", text("%zu %s: %s", i + 1, model.stages[i].name.c_str(), solve_words(model.stages[i]).c_str()));
+    std::string names;
+    for (const ActingCondition& acting : acting_conditions(model, static_cast<int>(i))) {
+      const Condition& c = *acting.condition;
+      std::string name = c.noun + (c.name.empty() ? "" : " " + c.name);
+      for (const Surface* surface : acting.surfaces)
+        if (c.name.empty()) name += (surface == acting.surfaces.front() ? " on " : " and ") + surface->name;
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    page.line("stage", "  acting: " + (names.empty() ? "nothing" : names));
+  }
+}
+
+}  // namespace
+
+std::string check_report(const Model& model, int threads) {
+  const MeshQuality quality = measure_quality(model.mesh);
+  const Blocks blocks = split_blocks(model, find_faces(model.mesh));
+  const ContactPoints contacts = place_contacts(model, blocks);
+  Page page;
+  page.line("model", model.name);
+  describe_mesh(page, model, quality);
+  describe_regions(page, model, quality);
+  describe_surfaces(page, model);
+  describe_contacts(page, model, blocks, contacts);
+  describe_plan(page, model);
+  for (const std::string& line : estimate_effort(model, blocks, contacts, threads)) page.line("estimate", line);
+  for (const std::string& line : left_out(model)) page.line("left out", line);
+  return page.lines();
+}
+
+}  // namespace ashlar

@@ -1,0 +1,60 @@
+#include "cli/commands.hpp"
+
+#include <omp.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "cli/check_report.hpp"
+#include "cli/page.hpp"
+#include "cli/plot.hpp"
+#include "cli/summary.hpp"
+#include "script/deck.hpp"
+
+namespace ashlar {
+
+int check_command(const Arguments& arguments) {
+  Deck deck = read_deck(arguments.operands[0], {arguments.settings.begin(), arguments.settings.end()});
+  build_mesh(deck.model);
+  check_model(deck.model);
+  std::fputs(check_report(deck.model, arguments.threads).c_str(), stdout);
+  return 0;
+}
+
+int info_command(const Arguments& arguments) {
+  if (arguments.operands.empty()) {
+    Page page;
+    page.line("ashlar", ASHLAR_VERSION ", built by " ASHLAR_COMPILER);
+    page.line("machine", counted(omp_get_num_procs(), "core") + ", no GPU backend in this build");
+    std::fputs(page.lines().c_str(), stdout);
+    return 0;
+  }
+  const std::filesystem::path folder = arguments.operands[0];
+  std::ifstream file(folder / summary_file);
+  if (!file)
+    throw UsageError("'" + folder.string() + "' holds no finished run: there is no " +
+                     (folder / summary_file).string());
+  std::stringstream words;
+  words << file.rdbuf();
+  std::fputs(words.str().c_str(), stdout);
+  return 0;
+}
+
+int help_command(const Arguments& arguments) {
+  if (arguments.operands.empty())
+    std::fputs((usage_page() + "\n" + help_index()).c_str(), stdout);
+  else
+    std::fputs(help(arguments.operands[0]).c_str(), stdout);
+  return 0;
+}
+
+int version_command(const Arguments&) {
+  std::puts("ashlar " ASHLAR_VERSION);
+  return 0;
+}
+
+int plot_command(const Arguments& arguments) { return plot(arguments.passed); }
+
+}  // namespace ashlar

@@ -1,0 +1,49 @@
+#include "cli/left_out.hpp"
+
+#include <algorithm>
+
+namespace ashlar {
+namespace {
+
+template <class Kind>
+bool has_condition(const Model& model) {
+  return std::any_of(model.conditions.begin(), model.conditions.end(),
+                     [](const Condition& c) { return std::holds_alternative<Kind>(c.kind); });
+}
+
+/// Whether some water pressure presses on ground below its level: on facets that face upwards within 45 degrees.
+bool water_rests_on_ground(const Model& model) {
+  for (const Condition& condition : model.conditions) {
+    const auto* water = std::get_if<WaterPressure>(&condition.kind);
+    if (!water) continue;
+    for (const std::string& name : condition.surfaces) {
+      const Surface* surface = model.mesh.find_surface(name);
+      if (!surface) continue;
+      for (const Facet& facet : surface->facets) {
+        const Vec3<double> area = model.mesh.facet_area(facet);
+        if (area.z > 0.7 * norm(area) && model.mesh.facet_centroid(facet).z < water->level) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> left_out(const Model& model) {
+  std::vector<std::string> list;
+  const bool breakable = !model.interfaces.empty();
+  if (has_condition<WaterPressure>(model)) {
+    list.push_back(breakable ? "uplift: no water pressure acts in joints and cracks, nor in the pores"
+                             : "uplift: no water pressure acts under the dam, nor in its pores");
+    if (!water_rests_on_ground(model))
+      list.push_back("reservoir floor load: the water does not weigh on the ground in front of the dam");
+  }
+  if (has_condition<Gravity>(model)) list.push_back("construction in lifts: gravity acts on the finished body at once");
+  const bool thermal = std::any_of(model.stages.begin(), model.stages.end(),
+                                   [](const Stage& s) { return std::holds_alternative<ThermalSolve>(s.solve); });
+  if (thermal && breakable) list.push_back("heat across cracks: open cracks conduct as sound concrete");
+  return list;
+}
+
+}  // namespace ashlar

@@ -1,0 +1,97 @@
+#include "cli/summary.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+
+#include "cli/left_out.hpp"
+#include "cli/page.hpp"
+#include "cli/wording.hpp"
+
+namespace ashlar {
+namespace {
+
+void describe_stage(Page& page, int number, const StageResult& stage) {
+  page.line("stage", text("%d %s (%s): %s, %s, ratio %.1e, %s", number, stage.name.c_str(), stage.kind.c_str(),
+                          stage.stop_reason.c_str(), counted(stage.steps, "step").c_str(), stage.ratio,
+                          duration_text(stage.wall_seconds).c_str()));
+  if (stage.load_factor < 1) page.line("stage", text("  stopped at load factor %.4f", stage.load_factor));
+}
+
+std::string event_text(const CrackEvent& event) {
+  return text("load factor %.4f, %s, in %s, at %s", event.load_factor, event.interface.c_str(), event.mode.c_str(),
+              place_text(event.place).c_str());
+}
+
+void describe_cracks(Page& page, const StageResult& stage) {
+  if (stage.events.empty() && stage.cracked_area == 0) return;
+  long points = 0;
+  for (const CrackEvent& event : stage.events) points += event.contact_points;
+  page.line("cracks",
+            text("%s: %s, %s", stage.name.c_str(), counted(static_cast<long>(stage.events.size()), "event").c_str(),
+                 counted(points, "contact point").c_str()));
+  if (!stage.events.empty()) {
+    page.line("cracks", "  first: " + event_text(stage.events.front()));
+    page.line("cracks", "  last:  " + event_text(stage.events.back()));
+  }
+  std::string directions;
+  for (const auto& [direction, area] : stage.cracked_area_by_direction)
+    directions += (directions.empty() ? " (" : ", ") + direction + text(" %.4g", area);
+  page.line("cracks", text("  area %.4g m^2", stage.cracked_area) + directions + (directions.empty() ? "" : ")"));
+  if (stage.dissipated_energy > 0) page.line("cracks", text("  dissipated energy %.4g J", stage.dissipated_energy));
+  if (!stage.free_blocks.empty())
+    page.line("cracks", "  " + counted(static_cast<long>(stage.free_blocks.size()), "block") + " without any contact");
+}
+
+/// Seconds per phase over all stages, the longest first.
+void describe_phases(Page& page, const RunResult& result) {
+  std::vector<PhaseTime> total;
+  double sum = 0;
+  for (const StageResult& stage : result.stages)
+    for (const PhaseTime& time : stage.phases) {
+      auto same = std::find_if(total.begin(), total.end(), [&](const PhaseTime& t) { return t.phase == time.phase; });
+      if (same == total.end()) same = total.insert(total.end(), {time.phase, 0});
+      same->seconds += time.seconds;
+      sum += time.seconds;
+    }
+  std::stable_sort(total.begin(), total.end(),
+                   [](const PhaseTime& a, const PhaseTime& b) { return a.seconds > b.seconds; });
+  for (const PhaseTime& time : total)
+    if (time.seconds > 0.001 * sum)
+      page.line("time", text("  %s %s (%.0f %%)", time.phase.c_str(), duration_text(time.seconds).c_str(),
+                             100 * time.seconds / sum));
+}
+
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+}  // namespace
+
+std::string summary(const Model& model, const RunResult& result, const RunFacts& facts) {
+  Page page;
+  page.line("model",
+            model.name + text(": %s, ", counted(model.mesh.element_count(), "element").c_str()) + result.device);
+  for (std::size_t i = 0; i < result.stages.size(); ++i)
+    describe_stage(page, static_cast<int>(i) + 1, result.stages[i]);
+  for (const StageResult& stage : result.stages) describe_cracks(page, stage);
+  page.line("time", duration_text(facts.wall_seconds) + " in all");
+  describe_phases(page, result);
+  page.line("memory", text("%.0f MB at most", peak_memory() / 1e6));
+  for (const ExpectOutcome& outcome : facts.expects) page.line("expect", outcome.message);
+  for (const std::string& line : left_out(model)) page.line("left out", line);
+  for (const std::string& file : facts.files) page.line("files", facts.folder + "/" + file);
+  return page.lines();
+}
+
+int exit_code(const RunResult& result, const std::vector<ExpectOutcome>& expects) {
+  if (result.interrupted) return 130;
+  if (!result.all_converged()) return 3;
+  for (const ExpectOutcome& outcome : expects)
+    if (!outcome.passed) return 4;
+  return 0;
+}
+
+}  // namespace ashlar

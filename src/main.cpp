@@ -1,0 +1,36 @@
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <map>
+#include <new>
+
+#include "base/error.hpp"
+#include "cli/commands.hpp"
+
+int main(int count, char** words) {
+  using namespace ashlar;
+  const std::map<std::string, std::function<int(const Arguments&)>> commands = {
+      {"run", run_command},   {"check", check_command},     {"plot", plot_command},
+      {"info", info_command}, {"version", version_command}, {"help", help_command},
+  };
+  const auto say = [](const char* words) { std::fprintf(stderr, "%s\n", words); };
+  try {
+    const Arguments arguments = parse_arguments({words + 1, words + count});
+    return commands.at(arguments.verb)(arguments);
+  } catch (const UsageError& error) {
+    say(error.what());
+    return 2;
+  } catch (const DeckError& error) {
+    say(error.what());
+    return 2;
+  } catch (const ResourceError& error) {
+    say(error.what());
+    return 5;
+  } catch (const std::bad_alloc&) {
+    say("not enough memory");
+    return 5;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error in the program: %s\n", error.what());
+    return 1;
+  }
+}
