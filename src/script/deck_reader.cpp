@@ -26,7 +26,7 @@ std::vector<std::string> keys_of(const Map& map) {
 /// Text of an argument's value in the argument's unit.
 std::string argument_text(const Quantity& value, const std::string& unit) {
   for (const auto& u : units())
-    if (u.name == unit) return number_text(value.value / u.scale) + " " + unit;
+    if (u.name == unit) return decimal_text(value.value / u.scale) + " " + unit;
   return quantity_text(value);
 }
 
@@ -38,7 +38,8 @@ std::string unit_name(const Quantity& unit) {
 
 }  // namespace
 
-DeckReader::DeckReader(Deck& deck, const std::map<std::string, std::string>& settings) : deck_(deck), settings_(settings) {
+DeckReader::DeckReader(Deck& deck, const std::map<std::string, std::string>& settings)
+    : deck_(deck), settings_(settings) {
   lua_State* L = deck.sandbox->state();
   lua_pushlightuserdata(L, this);
   lua_setfield(L, LUA_REGISTRYINDEX, reader_key);
@@ -72,7 +73,11 @@ int DeckReader::noun_called(lua_State* L) {
   const std::string form = noun.name + (noun.naming == Naming::none ? " { ... }" : " \"name\" { ... }");
   if (lua_type(L, 1) == LUA_TTABLE && noun.naming != Naming::required) return reader.declare(noun, "", 1);
   if (lua_type(L, 1) != LUA_TSTRING || noun.naming == Naming::none)
-    throw ScriptError(noun.name + (noun.naming == Naming::none ? " takes no name" : lua_type(L, 1) == LUA_TTABLE ? " needs a name" : " needs a name and a table") + ": write " + form);
+    throw ScriptError(noun.name +
+                      (noun.naming == Naming::none    ? " takes no name"
+                       : lua_type(L, 1) == LUA_TTABLE ? " needs a name"
+                                                      : " needs a name and a table") +
+                      ": write " + form);
   const std::string name = text_at(L, 1);
   if (name.empty()) throw ScriptError(noun.name + ": the name is empty");
   const int id = reader.next_open_++;
@@ -88,7 +93,8 @@ int DeckReader::table_given(lua_State* L) {
   DeckReader& reader = of(L);
   const auto& noun = *static_cast<const NounRule*>(lua_touserdata(L, lua_upvalueindex(1)));
   const std::string name = text_at(L, lua_upvalueindex(2));
-  if (lua_type(L, 1) != LUA_TTABLE) throw ScriptError(title(noun.name, name) + " needs a table of keys: " + noun.name + " \"" + name + "\" { ... }");
+  if (lua_type(L, 1) != LUA_TTABLE)
+    throw ScriptError(title(noun.name, name) + " needs a table of keys: " + noun.name + " \"" + name + "\" { ... }");
   reader.open_.erase(static_cast<int>(lua_tointeger(L, lua_upvalueindex(3))));
   return reader.declare(noun, name, 1);
 }
@@ -98,12 +104,16 @@ int DeckReader::declare(const NounRule& noun, const std::string& name, int index
   const Where here = sandbox.where();
   if (!name.empty() || noun.name == "model") {
     const auto [first, fresh] = declared_.emplace(std::pair(family(noun.name), noun.name == "model" ? "" : name), here);
-    if (!fresh) sandbox.complaints.add(here, title(noun.name, name) + " is declared a second time; the first is on line " + std::to_string(first->second.line));
+    if (!fresh)
+      sandbox.complaints.add(here, title(noun.name, name) + " is declared a second time; the first is on line " +
+                                       std::to_string(first->second.line));
   }
   int number = -1;
   if (const auto fields = read_fields(sandbox, noun, name, index)) {
-    if (noun.name == "import_mesh") imports_.emplace_back(name, *fields);
-    else number = add_to_deck(deck_, solves_, noun, name, *fields);
+    if (noun.name == "import_mesh")
+      imports_.emplace_back(name, *fields);
+    else
+      number = add_to_deck(deck_, solves_, noun, name, *fields);
   }
   if (noun.kind == NounKind::declaration) return 0;
   push_handle(sandbox.state(), {noun.kind, number});
@@ -113,14 +123,16 @@ int DeckReader::declare(const NounRule& noun, const std::string& name, int index
 /// deck.args { water = { default = 150, unit = m, range = {0, 200}, doc = "..." }, ... } returns { water = 150*m, ... }
 int DeckReader::arguments_declared(lua_State* L) {
   DeckReader& reader = of(L);
-  if (lua_type(L, 1) != LUA_TTABLE) throw ScriptError("deck.args needs a table: deck.args { size = { default = 4, unit = m, doc = \"...\" } }");
+  if (lua_type(L, 1) != LUA_TTABLE)
+    throw ScriptError("deck.args needs a table: deck.args { size = { default = 4, unit = m, doc = \"...\" } }");
   lua_settop(L, 1);
   lua_newtable(L);
   std::vector<std::string> names;
   lua_pushnil(L);
   while (lua_next(L, 1)) {
     lua_pop(L, 1);
-    if (lua_type(L, -1) != LUA_TSTRING) throw ScriptError("deck.args: every argument needs a name: size = { default = ... }");
+    if (lua_type(L, -1) != LUA_TSTRING)
+      throw ScriptError("deck.args: every argument needs a name: size = { default = ... }");
     names.push_back(text_at(L, -1));
   }
   std::sort(names.begin(), names.end());
@@ -140,14 +152,17 @@ int DeckReader::arguments_declared(lua_State* L) {
 void DeckReader::add_argument(const std::string& name, int spec, int values) {
   lua_State* L = deck_.sandbox->state();
   const Where where = deck_.sandbox->where("args", "", name);
-  const auto refuse = [&](const std::string& message) { throw DeckError(where, "deck.args: argument '" + name + "' " + message); };
+  const auto refuse = [&](const std::string& message) {
+    throw DeckError(where, "deck.args: argument '" + name + "' " + message);
+  };
   const std::vector<std::string> valid = {"default", "unit", "range", "doc"};
   if (lua_type(L, spec) != LUA_TTABLE) refuse("needs a table: { default = 4, unit = m, doc = \"...\" }");
   lua_pushnil(L);
   while (lua_next(L, spec)) {
     lua_pop(L, 1);
     const std::string key = lua_type(L, -1) == LUA_TSTRING ? text_at(L, -1) : "";
-    if (std::find(valid.begin(), valid.end(), key) == valid.end()) refuse("has an unknown key '" + key + "'" + suggest_name(key, valid));
+    if (std::find(valid.begin(), valid.end(), key) == valid.end())
+      refuse("has an unknown key '" + key + "'" + suggest_name(key, valid));
   }
   Argument argument;
   argument.name = name;
@@ -165,13 +180,15 @@ void DeckReader::add_argument(const std::string& name, int spec, int values) {
   // Bare numbers are in the argument's unit.
   const auto in_unit = [&](const Quantity& q) {
     if (!q.dimension) return Quantity{q.value * unit.value, unit.dimension, unit.celsius};
-    if (q.dimension != unit.dimension) refuse("is " + quantity_text(q) + "; expected " + dimension_advice(unit.dimension.value_or(Dimension{})));
+    if (q.dimension != unit.dimension)
+      refuse("is " + quantity_text(q) + "; expected " + dimension_advice(unit.dimension.value_or(Dimension{})));
     return q;
   };
   lua_getfield(L, spec, "default");
   const int type = lua_type(L, -1);
   const auto number = to_quantity(L, -1);
-  if (!number && type != LUA_TSTRING && type != LUA_TBOOLEAN) refuse("needs a default: a number, a text, true or false");
+  if (!number && type != LUA_TSTRING && type != LUA_TBOOLEAN)
+    refuse("needs a default: a number, a text, true or false");
   const auto show = [&](int index) {
     if (auto q = to_quantity(L, index)) return argument_text(*q, argument.unit);
     return lua_isboolean(L, index) ? std::string(lua_toboolean(L, index) ? "true" : "false") : text_at(L, index);
@@ -197,7 +214,8 @@ void DeckReader::add_argument(const std::string& name, int spec, int values) {
     }
     const double found = to_quantity(L, value)->value;
     if (!(found >= ends[0] && found <= ends[1]))
-      refuse("is " + argument.value + "; its range is " + argument_text({ends[0], unit.dimension, unit.celsius}, argument.unit) + " to " +
+      refuse("is " + argument.value + "; its range is " +
+             argument_text({ends[0], unit.dimension, unit.celsius}, argument.unit) + " to " +
              argument_text({ends[1], unit.dimension, unit.celsius}, argument.unit));
   }
   argument_names_.insert(name);
@@ -215,7 +233,8 @@ void DeckReader::push_setting(const std::string& name, const std::string& text, 
     throw DeckError({}, given + ": the value is not an expression such as 155 or 2*m");
   lua_call(L, 0, 1);
   if (type == LUA_TBOOLEAN ? !lua_isboolean(L, -1) : !to_quantity(L, -1))
-    throw DeckError({}, given + ": expected " + (type == LUA_TBOOLEAN ? "true or false" : "a number or a quantity such as 2*m"));
+    throw DeckError(
+        {}, given + ": expected " + (type == LUA_TBOOLEAN ? "true or false" : "a number or a quantity such as 2*m"));
 }
 
 /// deck.read_table "air.csv": columns by the names of the first line, { time = {...}, air = {...} }.
@@ -243,28 +262,36 @@ int DeckReader::table_read(lua_State* L) {
         lua_setfield(L, -2, cell.c_str());
         continue;
       }
-      if (column >= names.size()) throw DeckError(where, "more values than the " + std::to_string(names.size()) + " columns of the first line");
+      if (column >= names.size())
+        throw DeckError(where, "more values than the " + std::to_string(names.size()) + " columns of the first line");
       char* end = nullptr;
       const double value = std::strtod(cell.c_str(), &end);
-      if (cell.empty() || *end || !std::isfinite(value)) throw DeckError(where, "column '" + names[column] + "': '" + cell + "' is not a number");
+      if (cell.empty() || *end || !std::isfinite(value))
+        throw DeckError(where, "column '" + names[column] + "': '" + cell + "' is not a number");
       lua_getfield(L, -1, names[column].c_str());
       lua_pushnumber(L, value);
       lua_rawseti(L, -2, row);
       lua_pop(L, 1);
     }
-    if (row > 0 && column < names.size()) throw DeckError({path, line_number}, "fewer values than the " + std::to_string(names.size()) + " columns of the first line");
+    if (row > 0 && column < names.size())
+      throw DeckError({path, line_number},
+                      "fewer values than the " + std::to_string(names.size()) + " columns of the first line");
   }
-  if (row == 0) throw DeckError({path, 1}, "no rows; expected a line of column names and rows of numbers, separated by commas");
+  if (row == 0)
+    throw DeckError({path, 1}, "no rows; expected a line of column names and rows of numbers, separated by commas");
   return 1;
 }
 
 void DeckReader::finish() {
   Complaints& complaints = deck_.sandbox->complaints;
-  for (const auto& [id, call] : open_) complaints.add(call.second, call.first + ": no table follows the name; write { ... } after it");
+  for (const auto& [id, call] : open_)
+    complaints.add(call.second, call.first + ": no table follows the name; write { ... } after it");
   const std::vector<std::string> names(argument_names_.begin(), argument_names_.end());
   for (const auto& [name, text] : settings_)
     if (!taken_.contains(name))
-      complaints.add({}, "--set " + name + "=" + text + ": " + (names.empty() ? "this deck has no arguments (deck.args)" : "no argument '" + name + "'" + suggest_name(name, names)));
+      complaints.add({}, "--set " + name + "=" + text + ": " +
+                             (names.empty() ? "this deck has no arguments (deck.args)"
+                                            : "no argument '" + name + "'" + suggest_name(name, names)));
   lua_State* L = deck_.sandbox->state();
   lua_pushnil(L);
   lua_setfield(L, LUA_REGISTRYINDEX, reader_key);
@@ -278,9 +305,10 @@ void DeckReader::read_meshes() {
     const std::string path = (std::filesystem::path(where.file).parent_path() / given).string();
     std::error_code ignored;
     if (given.is_absolute() || !std::filesystem::is_regular_file(path, ignored)) {
-      complaints.add(where, title("import_mesh", name) + ": " +
-                                (given.is_absolute() ? "'" + given.string() + "' is an absolute path; give it relative to the deck"
-                                                     : "there is no mesh file '" + path + "' (paths are relative to the deck)"));
+      complaints.add(
+          where, title("import_mesh", name) + ": " +
+                     (given.is_absolute() ? "'" + given.string() + "' is an absolute path; give it relative to the deck"
+                                          : "there is no mesh file '" + path + "' (paths are relative to the deck)"));
       continue;
     }
     deck_.files.push_back(path);
@@ -294,7 +322,8 @@ void DeckReader::read_meshes() {
         for (const auto& [old, fresh] : fields.renames(key)) {
           const auto found = std::find(valid.begin(), valid.end(), old);
           if (found == valid.end())
-            complaints.add(fields.at(key), title("import_mesh", name) + ": '" + key + "' renames '" + old + "', which " + path + " does not have" + suggest_name(old, valid));
+            complaints.add(fields.at(key), title("import_mesh", name) + ": '" + key + "' renames '" + old +
+                                               "', which " + path + " does not have" + suggest_name(old, valid));
           else
             name_of(items[found - valid.begin()]) = fresh;
         }
@@ -308,7 +337,8 @@ void DeckReader::read_meshes() {
   }
 }
 
-Deck read_deck(const std::string& path, const std::map<std::string, std::string>& settings, const ScriptLimits& limits) {
+Deck read_deck(const std::string& path, const std::map<std::string, std::string>& settings,
+               const ScriptLimits& limits) {
   Deck deck;
   deck.path = path;
   deck.sandbox = std::make_shared<Sandbox>(path, limits);

@@ -100,10 +100,10 @@ int history(lua_State* L) {
 
 /// A value of a history with a unit that suits its size.
 std::string value_text(double value, const std::string& unit) {
-  if (unit == "m" && value != 0 && std::abs(value) < 1) return number_text(value * 1e3) + " mm";
+  if (unit == "m" && value != 0 && std::abs(value) < 1) return decimal_text(value * 1e3) + " mm";
   if (unit == "Pa") return quantity_text({value, dimension::pressure, false});
   if (unit == "N") return quantity_text({value, dimension::force, false});
-  return number_text(value) + (unit.empty() ? "" : " " + unit);
+  return decimal_text(value) + (unit.empty() ? "" : " " + unit);
 }
 
 ExpectOutcome judge_function(const Expect& expect, const RunResult& result, Sandbox& sandbox) {
@@ -122,8 +122,10 @@ ExpectOutcome judge_function(const Expect& expect, const RunResult& result, Sand
   try {
     sandbox.call(1, 2, sandbox.limits.instructions, expect.where.prefix() + "expect '" + expect.name + "'");
     outcome.passed = lua_toboolean(L, -2);
-    outcome.message = lua_isnil(L, -1) ? (outcome.passed ? "true" : "its function returned " + std::string(luaL_tolstring(L, -2, nullptr)))
-                                       : std::string(luaL_tolstring(L, -1, nullptr));
+    outcome.message =
+        lua_isnil(L, -1)
+            ? (outcome.passed ? "true" : "its function returned " + std::string(luaL_tolstring(L, -2, nullptr)))
+            : std::string(luaL_tolstring(L, -1, nullptr));
   } catch (const DeckError& error) {
     outcome.message = error.what();
   }
@@ -139,11 +141,12 @@ ExpectOutcome judge(const Expect& expect, const RunResult& result) {
     const HistoryTable& table = named(result.histories, expect.history, "history");
     const auto column = std::find(table.columns.begin(), table.columns.end(), expect.component);
     const std::string unit = column == table.columns.end() ? "" : table.units[column - table.columns.begin()];
-    outcome.wanted = "between " + value_text((*expect.between)[0], unit) + " and " + value_text((*expect.between)[1], unit);
+    outcome.wanted =
+        "between " + value_text((*expect.between)[0], unit) + " and " + value_text((*expect.between)[1], unit);
     outcome.found = table.at(expect.component, expect.stage);
     outcome.passed = outcome.found >= (*expect.between)[0] && outcome.found <= (*expect.between)[1];
-    outcome.message = expect.history + " " + expect.component + (expect.stage.empty() ? "" : " after " + expect.stage) + " is " +
-                      value_text(outcome.found, unit) + (outcome.passed ? ", " : "; wanted ") + outcome.wanted;
+    outcome.message = expect.history + " " + expect.component + (expect.stage.empty() ? "" : " after " + expect.stage) +
+                      " is " + value_text(outcome.found, unit) + (outcome.passed ? ", " : "; wanted ") + outcome.wanted;
   } catch (const std::exception& error) {  // no such history, column or stage row
     outcome.message = error.what();
   }

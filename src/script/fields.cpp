@@ -20,16 +20,21 @@ std::string describe(lua_State* L, int index) {
 
 std::string range_text(const KeyRule& rule) {
   const std::string unit = unit_symbol(rule.dimension, rule.dimension == dimension::temperature);
-  const auto with_unit = [&](double v) { return number_text(v) + (unit.empty() ? "" : " " + unit); };
+  const auto with_unit = [&](double v) { return decimal_text(v) + (unit.empty() ? "" : " " + unit); };
   const bool low = std::isfinite(rule.range.low), high = std::isfinite(rule.range.high);
-  if (low && high) return (rule.range.open_low ? "more than " : "at least ") + with_unit(rule.range.low) + " and at most " + with_unit(rule.range.high);
+  if (low && high)
+    return (rule.range.open_low ? "more than " : "at least ") + with_unit(rule.range.low) + " and at most " +
+           with_unit(rule.range.high);
   if (low) return (rule.range.open_low ? "more than " : "at least ") + with_unit(rule.range.low);
   return "at most " + with_unit(rule.range.high);
 }
 
 std::string expected(const KeyRule& rule) {
   switch (rule.type) {
-    case KeyType::number: return rule.any_dimension ? "a number" : rule.dimension == Dimension{} ? "a number" : dimension_advice(rule.dimension);
+    case KeyType::number:
+      return rule.any_dimension              ? "a number"
+             : rule.dimension == Dimension{} ? "a number"
+                                             : dimension_advice(rule.dimension);
     case KeyType::integer: return "a whole number";
     case KeyType::flag: return "true or false";
     case KeyType::text: return "a text in quotes";
@@ -64,7 +69,9 @@ std::string title(const std::string& noun, const std::string& name) {
   return name.empty() ? noun : noun + " '" + name + "'";
 }
 
-std::optional<double> Fields::maybe(const std::string& key) const { return has(key) ? std::optional(number(key)) : std::nullopt; }
+std::optional<double> Fields::maybe(const std::string& key) const {
+  return has(key) ? std::optional(number(key)) : std::nullopt;
+}
 std::vector<double> Fields::numbers(const std::string& key) const {
   std::vector<double> all;
   if (has(key))
@@ -84,15 +91,17 @@ std::optional<Value> Fields::maybe_value(const std::string& key) const {
 Where Fields::at(const std::string& key) const { return has(key) ? values_.at(key).where : where; }
 
 std::string number_complaint(const KeyRule& rule, const Quantity& q) {
-  if (!std::isfinite(q.value)) return "is not a finite number (" + number_text(q.value) + ")";
+  if (!std::isfinite(q.value)) return "is not a finite number (" + decimal_text(q.value) + ")";
   if (rule.any_dimension) return "";
   const std::string found = "is " + quantity_text(q);
   if (q.dimension && *q.dimension != rule.dimension) return found + "; expected " + dimension_advice(rule.dimension);
   if (rule.dimension == dimension::temperature && q.dimension && !q.celsius)
-    return found + "; temperatures are in degrees Celsius: write " + number_text(q.value - 273.15) + "*degC for this absolute temperature";
+    return found + "; temperatures are in degrees Celsius: write " + decimal_text(q.value - 273.15) +
+           "*degC for this absolute temperature";
   if (rule.range.contains(q.value)) return "";
   const bool angle = rule.dimension == Dimension{} && rule.doc.find("deg") != std::string::npos;
-  return found + "; expected " + range_text(rule) + (angle ? "; angles are in radians: write " + number_text(q.value) + "*deg" : "");
+  return found + "; expected " + range_text(rule) +
+         (angle ? "; angles are in radians: write " + decimal_text(q.value) + "*deg" : "");
 }
 
 class FieldReader {
@@ -110,7 +119,9 @@ class FieldReader {
       for (const auto& l : laws) choice.choices.push_back(l.name);
       choice.required = choice.fallback_text.empty();
       lua_getfield(L_, table, "law");
-      const std::string chosen = lua_isnil(L_, -1) ? choice.fallback_text : lua_type(L_, -1) == LUA_TSTRING ? text_at(L_, -1) : "";
+      const std::string chosen = lua_isnil(L_, -1)                 ? choice.fallback_text
+                                 : lua_type(L_, -1) == LUA_TSTRING ? text_at(L_, -1)
+                                                                   : "";
       lua_pop(L_, 1);
       for (const auto& l : laws)
         if (l.name == chosen) law = &l;
@@ -129,7 +140,8 @@ class FieldReader {
     if (law)
       for (const auto& key : law->keys)
         if (fields_.has(key.name)) fields_.law_values[key.name] = fields_.number(key.name);
-    std::stable_sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.first.line < b.first.line; });
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const auto& a, const auto& b) { return a.first.line < b.first.line; });
     for (const auto& [where, message] : found_) sandbox_.complaints.add(where, message);
     if (!found_.empty()) return std::nullopt;
     return fields_;
@@ -149,7 +161,8 @@ class FieldReader {
       lua_pop(L_, 1);
       if (lua_type(L_, -1) != LUA_TSTRING) {
         const auto position = to_quantity(L_, -1);
-        complain(position ? number_text(position->value) : "", "a value without a key; write key = value (keys: " + list(valid) + ")");
+        complain(position ? decimal_text(position->value) : "",
+                 "a value without a key; write key = value (keys: " + list(valid) + ")");
         continue;
       }
       const std::string key = text_at(L_, -1);
@@ -193,7 +206,9 @@ class FieldReader {
   }
 
   /// Complaint about the whole value of a key.
-  void wrong(const KeyRule& rule, int index) { complain(rule.name, "'" + rule.name + "' is " + describe(L_, index) + "; expected " + expected(rule)); }
+  void wrong(const KeyRule& rule, int index) {
+    complain(rule.name, "'" + rule.name + "' is " + describe(L_, index) + "; expected " + expected(rule));
+  }
 
   bool read_number(const KeyRule& rule, int index, const std::string& path, std::vector<Quantity>& into) {
     const auto q = to_quantity(L_, index);
@@ -216,20 +231,26 @@ class FieldReader {
   }
 
   /// Elements of a list of `count` numbers (any count if 0); complains and returns false if it is none.
-  bool read_list(const KeyRule& rule, int index, const std::string& path, int count, bool whole, std::vector<Quantity>& into) {
+  bool read_list(const KeyRule& rule, int index, const std::string& path, int count, bool whole,
+                 std::vector<Quantity>& into) {
     KeyRule element = rule;
     element.type = KeyType::number;
     const int size = lua_type(L_, index) == LUA_TTABLE ? static_cast<int>(lua_rawlen(L_, index)) : -1;
     if (size < 0 || (count > 0 && size != count)) {
-      complain(path, "'" + path + "' is " + (size < 0 ? describe(L_, index) : "a table with " + std::to_string(size) + " values") + "; expected " +
-                         (count == 2 ? "two values" : count == 3 ? "{ x, y, z }" : expected(rule)));
+      complain(path, "'" + path + "' is " +
+                         (size < 0 ? describe(L_, index) : "a table with " + std::to_string(size) + " values") +
+                         "; expected " +
+                         (count == 2   ? "two values"
+                          : count == 3 ? "{ x, y, z }"
+                                       : expected(rule)));
       return false;
     }
     bool good = true;
     for (int i = 1; i <= size; ++i) {
       lua_rawgeti(L_, index, i);
       const std::string place = path + "." + std::to_string(i);
-      good &= whole ? read_whole(element, lua_gettop(L_), place, into) : read_number(element, lua_gettop(L_), place, into);
+      good &=
+          whole ? read_whole(element, lua_gettop(L_), place, into) : read_number(element, lua_gettop(L_), place, into);
       lua_pop(L_, 1);
     }
     return good;
@@ -244,8 +265,11 @@ class FieldReader {
     for (int i = 1; i <= static_cast<int>(lua_rawlen(L_, index)); ++i) {
       lua_rawgeti(L_, index, i);
       const bool text = lua_type(L_, -1) == LUA_TSTRING;
-      if (text) into.push_back(text_at(L_, -1));
-      else complain(rule.name, "'" + rule.name + "' holds " + describe(L_, lua_gettop(L_)) + "; expected " + expected(rule));
+      if (text)
+        into.push_back(text_at(L_, -1));
+      else
+        complain(rule.name,
+                 "'" + rule.name + "' holds " + describe(L_, lua_gettop(L_)) + "; expected " + expected(rule));
       lua_pop(L_, 1);
       if (!text) return false;
     }
@@ -279,17 +303,21 @@ class FieldReader {
     const int reference = luaL_ref(L_, LUA_REGISTRYINDEX);
     const std::string what = title(noun_.name, name_) + ": '" + rule.name + "'";
     Value value;
-    value.at = [sandbox = sandbox_.shared_from_this(), reference, rule, what, where = fields_.at(rule.name)](const Vec3<double>& p) {
+    value.at = [sandbox = sandbox_.shared_from_this(), reference, rule, what,
+                where = fields_.at(rule.name)](const Vec3<double>& p) {
       const std::lock_guard lock(sandbox->busy);
       lua_State* L = sandbox->state();
       lua_rawgeti(L, LUA_REGISTRYINDEX, reference);
       for (int i = 0; i < 3; ++i) lua_pushnumber(L, p[i]);
       sandbox->call(3, 1, sandbox->limits.instructions / 10, where.prefix() + what);
       const auto q = to_quantity(L, -1);
-      const std::string found = q ? number_complaint(rule, *q) : "is " + describe(L, lua_gettop(L)) + "; expected " + dimension_advice(rule.dimension);
+      const std::string found =
+          q ? number_complaint(rule, *q)
+            : "is " + describe(L, lua_gettop(L)) + "; expected " + dimension_advice(rule.dimension);
       lua_pop(L, 1);
       if (!found.empty())
-        throw DeckError(where, what + " at (" + number_text(p.x) + ", " + number_text(p.y) + ", " + number_text(p.z) + ") " + found);
+        throw DeckError(where, what + " at (" + decimal_text(p.x) + ", " + decimal_text(p.y) + ", " +
+                                   decimal_text(p.z) + ") " + found);
       return q->value;
     };
     return value;
@@ -322,8 +350,10 @@ class FieldReader {
         if (read_texts(rule, index, field.texts)) check_choices(rule, field.texts);
         break;
       case KeyType::field:
-        if (type == LUA_TFUNCTION) field.value = function_value(rule, index);
-        else if (read_number(rule, index, rule.name, field.quantities)) field.value.constant = field.quantities[0].value;
+        if (type == LUA_TFUNCTION)
+          field.value = function_value(rule, index);
+        else if (read_number(rule, index, rule.name, field.quantities))
+          field.value.constant = field.quantities[0].value;
         break;
       case KeyType::vector: read_list(rule, index, rule.name, 3, false, field.quantities); break;
       case KeyType::interval: read_list(rule, index, rule.name, 2, false, field.quantities); break;
@@ -338,7 +368,8 @@ class FieldReader {
           lua_rawgeti(L_, index, i);
           // A plane is a point and a direction: the direction is a plain vector.
           if (rule.name == "plane" && i == 2) element.dimension = dimension::none;
-          read_list(element, lua_gettop(L_), rule.name + "." + std::to_string(i), outline ? 2 : 3, false, field.quantities);
+          read_list(element, lua_gettop(L_), rule.name + "." + std::to_string(i), outline ? 2 : 3, false,
+                    field.quantities);
           lua_pop(L_, 1);
         }
         break;

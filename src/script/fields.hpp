@@ -42,7 +42,7 @@ class Fields {
   std::optional<Value> maybe_value(const std::string& key) const;
   const std::vector<int>& handles(const std::string& key) const { return values_.at(key).handles; }
   DeckFunction function(const std::string& key) const { return values_.at(key).function; }
-  Where where;                          ///< of the call
+  Where where;                             ///< of the call
   Where at(const std::string& key) const;  ///< of the key
   std::map<std::string, double> law_values;
 

@@ -63,10 +63,14 @@ std::string key_line(const KeyRule& k) {
     doc += ": ";
     for (const auto& choice : k.choices) doc += (&choice == &k.choices.front() ? "\"" : ", \"") + choice + "\"";
   }
-  if (k.required) doc += " (required)";
-  else if (!k.fallback_text.empty()) doc += " (default \"" + k.fallback_text + "\")";
-  else if (k.fallback && k.type == KeyType::flag) doc += *k.fallback != 0 ? " (default true)" : " (default false)";
-  else if (k.fallback) doc += " (default " + number_text(*k.fallback) + ")";
+  if (k.required)
+    doc += " (required)";
+  else if (!k.fallback_text.empty())
+    doc += " (default \"" + k.fallback_text + "\")";
+  else if (k.fallback && k.type == KeyType::flag)
+    doc += *k.fallback != 0 ? " (default true)" : " (default false)";
+  else if (k.fallback)
+    doc += " (default " + decimal_text(*k.fallback) + ")";
   return line + wrapped(doc, 44, line.size()) + "\n";
 }
 
@@ -104,7 +108,9 @@ std::string help_index() {
     const std::string line = padded("  " + noun.name, 24);
     all += line + wrapped(noun.doc.substr(0, noun.doc.find(". ")), 24, line.size()) + "\n";
   }
-  return all + "\n  units                 unit constants\n  functions             deck.args, deck.read_table, interpolate, ...\n";
+  return all +
+         "\n  units                 unit constants\n  functions             deck.args, deck.read_table, interpolate, "
+         "...\n";
 }
 
 std::string help(const std::string& name) {
@@ -116,9 +122,10 @@ std::string help(const std::string& name) {
     for (const auto& n : nouns()) valid.push_back(n.name);
     throw DeckError({}, "help: there is no noun '" + name + "'" + suggest_name(name, valid));
   }
-  std::string all = noun->name + (noun->naming == Naming::required   ? " \"name\" { ... }"
-                                  : noun->naming == Naming::optional ? " \"name\" { ... }   or   " + noun->name + " { ... }"
-                                                                     : " { ... }") +
+  std::string all = noun->name +
+                    (noun->naming == Naming::required   ? " \"name\" { ... }"
+                     : noun->naming == Naming::optional ? " \"name\" { ... }   or   " + noun->name + " { ... }"
+                                                        : " { ... }") +
                     "\n\n" + wrapped(noun->doc, 0, 0) + "\n\n";
   auto keys = noun->keys;
   const auto laws = laws_of(*noun);

@@ -95,11 +95,11 @@ class Lexer {
 
 /// An open table constructor.
 struct Frame {
-  int literal = -1;         ///< the call that it belongs to, -1: none
-  std::string path;         ///< "" for the call's own table, "water." inside its key `water`
-  std::string key;          ///< key of the field being read
-  int position = 0;         ///< of the last positional field
-  int nested = 0;           ///< open parentheses and function bodies inside the field
+  int literal = -1;  ///< the call that it belongs to, -1: none
+  std::string path;  ///< "" for the call's own table, "water." inside its key `water`
+  std::string key;   ///< key of the field being read
+  int position = 0;  ///< of the last positional field
+  int nested = 0;    ///< open parentheses and function bodies inside the field
   bool field_start = true;
 };
 
@@ -127,7 +127,8 @@ DeckLines::DeckLines(const std::string& text) {
       frame->field_start = false;
       frame->key.clear();
       if (t.kind == Token::word && is(i + 1, "=")) frame->key = t.value;
-      if (is(i, "[") && i + 3 < tokens.size() && tokens[i + 1].kind == Token::text && is(i + 3, "=")) frame->key = tokens[i + 1].value;
+      if (is(i, "[") && i + 3 < tokens.size() && tokens[i + 1].kind == Token::text && is(i + 3, "="))
+        frame->key = tokens[i + 1].value;
       if (frame->key.empty()) frame->key = std::to_string(++frame->position);
       if (frame->literal >= 0) literals_[frame->literal].keys.emplace(frame->path + frame->key, t.line);
     }

@@ -52,12 +52,15 @@ int add_extrude(const Call& c) {
   e.layer_size = f.maybe("layer_size").value_or(0);
   e.layers = static_cast<int>(f.maybe("layers").value_or(0));
   for (double corner : f.numbers("corners")) e.corners.push_back(static_cast<int>(corner));
-  if (f.has("corners") && (e.corners.size() != 4 || *std::max_element(e.corners.begin(), e.corners.end()) > static_cast<int>(e.section.size())))
-    c.complain("corners", "'corners' names four points of the section, counted from 1 to " + std::to_string(e.section.size()));
+  if (f.has("corners") && (e.corners.size() != 4 ||
+                           *std::max_element(e.corners.begin(), e.corners.end()) > static_cast<int>(e.section.size())))
+    c.complain("corners",
+               "'corners' names four points of the section, counted from 1 to " + std::to_string(e.section.size()));
   if (f.has("divisions"))
     for (const auto& [side, count] : f.renames("divisions")) {
       e.divisions[std::stoi(side)] = std::stoi(count);
-      if (side.size() != 1 || side[0] < '1' || side[0] > '4') c.complain("divisions", "'divisions' has no side " + side + "; sides are 1 to 4");
+      if (side.size() != 1 || side[0] < '1' || side[0] > '4')
+        c.complain("divisions", "'divisions' has no side " + side + "; sides are 1 to 4");
     }
   e.grade = f.number("grade");
   e.shape = shape(f);
@@ -74,14 +77,16 @@ int add_box(const Call& c) {
   const auto from = f.vector("from"), to = f.vector("to");
   const auto cells = f.numbers("cells");
   if (!c.one_of({"cells", "size"})) return 0;
-  if (f.has("cells") && cells.size() != 3) return c.complain("cells", "'cells' is three whole numbers, along x, y and z"), 0;
+  if (f.has("cells") && cells.size() != 3)
+    return c.complain("cells", "'cells' is three whole numbers, along x, y and z"), 0;
   for (int i = 0; i < 3; ++i) {
     box.from[i] = from[i];
     box.to[i] = to[i];
     if (!(from[i] < to[i]))
-      c.complain("to", std::string("'to' must be larger than 'from' along ") + "xyz"[i] + "; they are " + number_text(to[i]) + " and " + number_text(from[i]));
+      c.complain("to", std::string("'to' must be larger than 'from' along ") + "xyz"[i] + "; they are " +
+                           decimal_text(to[i]) + " and " + decimal_text(from[i]));
     const double count = f.has("cells") ? cells[i] : std::max(1.0, std::round((to[i] - from[i]) / f.number("size")));
-    if (count > 1e6) c.complain("size", "'size' gives " + number_text(count) + " elements along one side");
+    if (count > 1e6) c.complain("size", "'size' gives " + decimal_text(count) + " elements along one side");
     box.cells[i] = static_cast<int>(std::min(count, 1e6));
   }
   c.model().boxes.push_back(box);
@@ -102,7 +107,8 @@ int add_surface(const Call& c) {
   if (f.has("box")) s.box = {f.vector("box", 0), f.vector("box", 1)};
   if (f.has("plane")) {
     s.plane = {f.vector("plane", 0), f.vector("plane", 1)};
-    if (norm(s.plane->second) == 0) c.complain("plane", "the normal of 'plane' is no direction: all three values are 0");
+    if (norm(s.plane->second) == 0)
+      c.complain("plane", "the normal of 'plane' is no direction: all three values are 0");
   }
   c.model().surfaces.push_back(s);
   return 0;
@@ -110,7 +116,12 @@ int add_surface(const Call& c) {
 
 int add_interface(const Call& c) {
   const bool joint = c.noun.name == "joint";
-  Interface i{c.name, c.fields.where, !joint, c.fields.texts(joint ? "between" : "region"), c.fields.text("law"), c.fields.law_values};
+  Interface i{c.name,
+              c.fields.where,
+              !joint,
+              c.fields.texts(joint ? "between" : "region"),
+              c.fields.text("law"),
+              c.fields.law_values};
   if (joint && (i.regions.size() != 2 || i.regions[0] == i.regions[1]))
     c.complain("between", "'between' names two different regions: { \"dam\", \"rock\" }");
   c.model().interfaces.push_back(i);
@@ -122,7 +133,8 @@ Condition::Kind condition_kind(const Call& c) {
   const std::string& noun = c.noun.name;
   if (noun == "fix") {
     const Fix fix{f.has("x"), f.has("y"), f.has("z"), f.flag("normal")};
-    if (!fix.x && !fix.y && !fix.z && !fix.normal) c.complain("", "holds nothing; give x = 0, y = 0, z = 0 or normal = true");
+    if (!fix.x && !fix.y && !fix.z && !fix.normal)
+      c.complain("", "holds nothing; give x = 0, y = 0, z = 0 or normal = true");
     return fix;
   }
   if (noun == "displacement") {
@@ -144,15 +156,19 @@ Condition::Kind condition_kind(const Call& c) {
 }
 
 int add_condition(const Call& c) {
-  c.model().conditions.push_back({c.noun.name, c.name, c.fields.where, c.fields.texts("surface"), condition_kind(c), true});
+  c.model().conditions.push_back(
+      {c.noun.name, c.name, c.fields.where, c.fields.texts("surface"), condition_kind(c), true});
   return static_cast<int>(c.model().conditions.size()) - 1;
 }
 
 Relaxation relaxation(const Fields& f) {
   const auto damping = f.text("damping");
   return {f.number("tolerance"),
-          damping == "local" ? Damping::local : damping == "viscous" ? Damping::viscous : Damping::adaptive,
-          f.maybe("damping_value").value_or(0), f.number("step_factor"), static_cast<long>(f.maybe("max_steps").value_or(0))};
+          damping == "local"     ? Damping::local
+          : damping == "viscous" ? Damping::viscous
+                                 : Damping::adaptive,
+          f.maybe("damping_value").value_or(0), f.number("step_factor"),
+          static_cast<long>(f.maybe("max_steps").value_or(0))};
 }
 
 int add_solve(const Call& c) {
@@ -162,9 +178,12 @@ int add_solve(const Call& c) {
     c.solves.emplace_back(ThermalSolve{f.flag("steady"), f.maybe("duration").value_or(0), f.number("tolerance")});
   } else {
     if (f.has("damping_value") && f.text("damping") == "adaptive")
-      c.complain("damping_value", "'damping_value' has no meaning for adaptive damping, which finds its own; give damping = \"local\" or \"viscous\"");
+      c.complain("damping_value",
+                 "'damping_value' has no meaning for adaptive damping, which finds its own; give damping = \"local\" "
+                 "or \"viscous\"");
     if (c.noun.name == "fracture")
-      c.solves.emplace_back(FractureSolve{f.text("from"), f.text("to"), f.integer("increments"), relaxation(f), static_cast<long>(f.number("max_events"))});
+      c.solves.emplace_back(FractureSolve{f.text("from"), f.text("to"), f.integer("increments"), relaxation(f),
+                                          static_cast<long>(f.number("max_events"))});
     else
       c.solves.emplace_back(StaticSolve{relaxation(f)});
   }
@@ -195,7 +214,8 @@ int add_history(const Call& c) {
     if (history.at ? r.at_point : r.on_surface) valid.push_back(r.name);
   for (const auto& name : history.record)
     if (std::find(valid.begin(), valid.end(), name) == valid.end())
-      c.complain("record", "'" + name + "' is not recorded " + (history.at ? "at a point" : "over a surface") + suggest_name(name, valid));
+      c.complain("record", "'" + name + "' is not recorded " + (history.at ? "at a point" : "over a surface") +
+                               suggest_name(name, valid));
   c.model().histories.push_back(history);
   return 0;
 }
@@ -206,7 +226,9 @@ int add_expect(const Call& c) {
   if (!c.one_of({"between", "value", "that"})) return 0;
   if (f.has("that")) {
     for (const char* key : {"history", "component", "stage"})
-      if (f.has(key)) c.complain(key, std::string("'") + key + "' has no meaning beside 'that'; use result.history(name).at(column, stage)");
+      if (f.has(key))
+        c.complain(
+            key, std::string("'") + key + "' has no meaning beside 'that'; use result.history(name).at(column, stage)");
     e.function = f.function("that").reference;
     c.deck.expects.push_back(e);
     return 0;
@@ -225,14 +247,17 @@ int add_expect(const Call& c) {
     check("between", 0);
     check("between", 1);
     e.between = {f.quantity("between", 0).value, f.quantity("between", 1).value};
-    if (!((*e.between)[0] <= (*e.between)[1])) c.complain("between", "'between' is { lowest, highest }; the first value is the larger one");
+    if (!((*e.between)[0] <= (*e.between)[1]))
+      c.complain("between", "'between' is { lowest, highest }; the first value is the larger one");
   } else {
     check("value", 0);
     if (f.has("tolerance")) check("tolerance", 0);
     const double value = f.number("value");
     if (f.has("tolerance") == f.has("relative")) c.complain("value", "give 'tolerance' or 'relative' with 'value'");
-    if (f.has("relative") && value == 0) c.complain("relative", "'relative' needs a value other than 0; give 'tolerance'");
-    const double tolerance = f.has("tolerance") ? f.number("tolerance") : f.maybe("relative").value_or(0) * std::abs(value);
+    if (f.has("relative") && value == 0)
+      c.complain("relative", "'relative' needs a value other than 0; give 'tolerance'");
+    const double tolerance =
+        f.has("tolerance") ? f.number("tolerance") : f.maybe("relative").value_or(0) * std::abs(value);
     e.between = {value - tolerance, value + tolerance};
   }
   c.deck.expects.push_back(e);
@@ -241,7 +266,8 @@ int add_expect(const Call& c) {
 
 }  // namespace
 
-int add_to_deck(Deck& deck, std::vector<Solve>& solves, const NounRule& noun, const std::string& name, const Fields& f) {
+int add_to_deck(Deck& deck, std::vector<Solve>& solves, const NounRule& noun, const std::string& name,
+                const Fields& f) {
   const Call call{deck, solves, noun, name, f};
   Model& model = deck.model;
   if (noun.kind == NounKind::condition) return add_condition(call);
@@ -258,7 +284,8 @@ int add_to_deck(Deck& deck, std::vector<Solve>& solves, const NounRule& noun, co
     model.where = f.where;
     model.reference_temperature = f.number("reference_temperature");
   } else if (noun.name == "material") {
-    model.materials.push_back({name, f.where, f.texts("region"), f.text("law"), f.number("density"), f.maybe("conductivity"), f.maybe("heat_capacity"), f.law_values});
+    model.materials.push_back({name, f.where, f.texts("region"), f.text("law"), f.number("density"),
+                               f.maybe("conductivity"), f.maybe("heat_capacity"), f.law_values});
   } else if (noun.name == "output") {
     model.outputs.push_back({name, f.where, f.texts("record"), f.text("at") == "increment" ? f.integer("every") : 0});
   } else if (noun.name == "picture") {

@@ -35,7 +35,7 @@ const Named named[] = {
     {dimension::heat_flux, "W/m^2", "a heat flux, such as 20*W/m^2"},
     {dimension::heat_capacity, "J/(kg*K)", "a heat capacity, such as 960*J/(kg*K)"},
     {dimension::expansion, "1/K", "an expansion coefficient, such as 9e-6/K"},
-    {Dimension{2, 1, -2, 0}, "J", "an energy, such as 1*J"},
+    {Dimension{2, 1, -2, 0}, "J", "an energy or a moment, such as 1*kN*m"},
     {Dimension{2, 1, -3, 0}, "W", "a power, such as 1*kW"},
     {Dimension{0, 1, 0, 0}, "kg", "a mass, such as 1*t"},
     {Dimension{1, 0, -1, 0}, "m/s", "a velocity, such as 1*m/s"},
@@ -50,13 +50,15 @@ enum class Operation { add, subtract, multiply, divide, power };
 
 [[noreturn]] void refuse(lua_State* L, const char* what, const std::optional<Quantity>& a,
                          const std::optional<Quantity>& b, const char* why) {
-  throw ScriptError(std::string("cannot ") + what + " " + operand_text(L, 1, a) + " and " + operand_text(L, 2, b) + why);
+  throw ScriptError(std::string("cannot ") + what + " " + operand_text(L, 1, a) + " and " + operand_text(L, 2, b) +
+                    why);
 }
 
 /// Bare numbers are SI, so they may be added to and compared with anything.
 Quantity aligned(lua_State* L, const char* what, const std::optional<Quantity>& a, const std::optional<Quantity>& b) {
   if (!a || !b) refuse(L, what, a, b, "");
-  if (a->dimension && b->dimension && *a->dimension != *b->dimension) refuse(L, what, a, b, ": their dimensions differ");
+  if (a->dimension && b->dimension && *a->dimension != *b->dimension)
+    refuse(L, what, a, b, ": their dimensions differ");
   return {0, a->dimension ? a->dimension : b->dimension, a->celsius || b->celsius};
 }
 
@@ -72,14 +74,16 @@ int arithmetic(lua_State* L) {
     const Dimension d = a->dimension.value_or(Dimension{});
     const double exponents[] = {d.m * b->value, d.kg * b->value, d.s * b->value, d.K * b->value};
     for (double e : exponents)
-      if (e != std::round(e)) throw ScriptError("a power of " + quantity_text(*a) + " that leaves a fraction of a unit");
+      if (e != std::round(e))
+        throw ScriptError("a power of " + quantity_text(*a) + " that leaves a fraction of a unit");
     result.value = std::pow(a->value, b->value);
     result.dimension = Dimension{int(exponents[0]), int(exponents[1]), int(exponents[2]), int(exponents[3])};
   } else {
     constexpr bool divide = operation == Operation::divide;
     if (!a || !b) refuse(L, divide ? "divide" : "multiply", a, b, "");
     result.value = divide ? a->value / b->value : a->value * b->value;
-    result.dimension = product(a->dimension.value_or(Dimension{}), power(b->dimension.value_or(Dimension{}), divide ? -1 : 1));
+    result.dimension =
+        product(a->dimension.value_or(Dimension{}), power(b->dimension.value_or(Dimension{}), divide ? -1 : 1));
     result.celsius = (a->celsius && !b->dimension) || (b->celsius && !a->dimension && !divide);
   }
   push_quantity(L, result);
@@ -153,7 +157,8 @@ std::string unit_symbol(const Dimension& dimension, bool temperature) {
   for (const auto& n : named)
     if (n.dimension == dimension) return n.symbol;
   std::string symbol;
-  const std::pair<const char*, int> parts[] = {{"kg", dimension.kg}, {"m", dimension.m}, {"s", dimension.s}, {"K", dimension.K}};
+  const std::pair<const char*, int> parts[] = {
+      {"kg", dimension.kg}, {"m", dimension.m}, {"s", dimension.s}, {"K", dimension.K}};
   for (auto [name, exponent] : parts) {
     if (exponent == 0) continue;
     symbol += (symbol.empty() ? "" : "*") + std::string(name);
@@ -168,7 +173,7 @@ std::string dimension_advice(const Dimension& dimension) {
   return dimension == Dimension{} ? "a plain number" : "a value in " + unit_symbol(dimension);
 }
 
-std::string number_text(double value) {
+std::string decimal_text(double value) {
   char buffer[40];
   for (int digits = 6; digits <= 17; ++digits) {
     std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
@@ -178,12 +183,12 @@ std::string number_text(double value) {
 }
 
 std::string quantity_text(const Quantity& q) {
-  if (!q.dimension || *q.dimension == Dimension{}) return number_text(q.value);
+  if (!q.dimension || *q.dimension == Dimension{}) return decimal_text(q.value);
   Unit best{unit_symbol(*q.dimension, q.celsius), 1, {}, ""};
   if (*q.dimension == dimension::pressure || *q.dimension == dimension::force)
     for (const auto& unit : units())
       if (unit.dimension == *q.dimension && unit.scale > best.scale && std::abs(q.value) >= unit.scale) best = unit;
-  return number_text(q.value / best.scale) + " " + best.name;
+  return decimal_text(q.value / best.scale) + " " + best.name;
 }
 
 std::optional<Quantity> to_quantity(lua_State* L, int index) {
@@ -201,12 +206,16 @@ void push_quantity(lua_State* L, const Quantity& quantity) {
 
 void open_units(lua_State* L) {
   luaL_newmetatable(L, type_name);
-  const std::pair<const char*, lua_CFunction> methods[] = {
-      {"__add", guarded<arithmetic<Operation::add>>},      {"__sub", guarded<arithmetic<Operation::subtract>>},
-      {"__mul", guarded<arithmetic<Operation::multiply>>}, {"__div", guarded<arithmetic<Operation::divide>>},
-      {"__pow", guarded<arithmetic<Operation::power>>},    {"__unm", guarded<negate>},
-      {"__eq", guarded<compare<0>>},                       {"__lt", guarded<compare<-1>>},
-      {"__le", guarded<compare<1>>},                       {"__tostring", guarded<text>}};
+  const std::pair<const char*, lua_CFunction> methods[] = {{"__add", guarded<arithmetic<Operation::add>>},
+                                                           {"__sub", guarded<arithmetic<Operation::subtract>>},
+                                                           {"__mul", guarded<arithmetic<Operation::multiply>>},
+                                                           {"__div", guarded<arithmetic<Operation::divide>>},
+                                                           {"__pow", guarded<arithmetic<Operation::power>>},
+                                                           {"__unm", guarded<negate>},
+                                                           {"__eq", guarded<compare<0>>},
+                                                           {"__lt", guarded<compare<-1>>},
+                                                           {"__le", guarded<compare<1>>},
+                                                           {"__tostring", guarded<text>}};
   for (auto [name, function] : methods) {
     lua_pushcfunction(L, function);
     lua_setfield(L, -2, name);

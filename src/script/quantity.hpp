@@ -12,9 +12,9 @@ namespace ashlar {
 
 /// A number from a deck. Without `dimension` it is bare: taken as SI where a dimension is expected.
 struct Quantity {
-  double value = 0;                    ///< SI, temperatures in degrees Celsius
+  double value = 0;  ///< SI, temperatures in degrees Celsius
   std::optional<Dimension> dimension;
-  bool celsius = false;                ///< made with degC: a point on the Celsius scale or a difference
+  bool celsius = false;  ///< made with degC: a point on the Celsius scale or a difference
 };
 
 /// A unit constant of the deck language.
@@ -31,7 +31,7 @@ std::string unit_symbol(const Dimension& dimension, bool temperature = false);
 /// "a pressure, such as 30*GPa": what to write for a dimension.
 std::string dimension_advice(const Dimension& dimension);
 /// Shortest decimal form that reads well in a message: "30", "0.25", "3e+10".
-std::string number_text(double value);
+std::string decimal_text(double value);
 /// "0.03 Pa" with the unit's symbol; bare numbers without.
 std::string quantity_text(const Quantity& quantity);
 

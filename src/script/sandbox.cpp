@@ -42,26 +42,31 @@ std::vector<std::string> text_keys(lua_State* L, int index) {
 /// A name that neither the deck nor the language knows.
 int unknown_global(lua_State* L) {
   const std::string name = text_at(L, 2);
-  static const std::set<std::string> closed = {"os",      "io",     "load",   "loadstring", "loadfile", "dofile",
-                                               "package", "debug",  "pcall",  "xpcall",     "next",     "collectgarbage",
-                                               "rawset",  "rawget", "_G",     "coroutine",  "rawequal", "rawlen"};
-  if (name == "next") throw ScriptError("'next' is not part of the deck language: its order changes from run to run; use pairs");
+  static const std::set<std::string> closed = {"os",      "io",     "load",  "loadstring", "loadfile", "dofile",
+                                               "package", "debug",  "pcall", "xpcall",     "next",     "collectgarbage",
+                                               "rawset",  "rawget", "_G",    "coroutine",  "rawequal", "rawlen"};
+  if (name == "next")
+    throw ScriptError("'next' is not part of the deck language: its order changes from run to run; use pairs");
   if (closed.contains(name))
-    throw ScriptError("'" + name + "' is not part of the deck language: a deck describes a model and cannot start programs, "
+    throw ScriptError("'" + name +
+                      "' is not part of the deck language: a deck describes a model and cannot start programs, "
                       "touch files or load code (data tables: deck.read_table)");
   const auto names = text_keys(L, 1);
   const std::string near = nearest_name(name, names);
-  throw ScriptError("unknown name '" + name + "'" + (near.empty() ? "; declare it with 'local' before use" : "; did you mean '" + near + "'?"));
+  throw ScriptError("unknown name '" + name + "'" +
+                    (near.empty() ? "; declare it with 'local' before use" : "; did you mean '" + near + "'?"));
 }
 
 int new_global(lua_State* L) {
   const std::string name = text_at(L, 2);
-  throw ScriptError("global name '" + name + "' is assigned; write 'local " + (lua_isfunction(L, 3) ? "function " + name + "(...)" : name + " = ...") + "'");
+  throw ScriptError("global name '" + name + "' is assigned; write 'local " +
+                    (lua_isfunction(L, 3) ? "function " + name + "(...)" : name + " = ...") + "'");
 }
 
 int unknown_key(lua_State* L) {
   const std::string key = text_at(L, 2);
-  throw ScriptError("there is no " + text_at(L, lua_upvalueindex(1)) + " '" + key + "'" + suggest_name(key, text_keys(L, 1)));
+  throw ScriptError("there is no " + text_at(L, lua_upvalueindex(1)) + " '" + key + "'" +
+                    suggest_name(key, text_keys(L, 1)));
 }
 
 int constant_table(lua_State*) { throw ScriptError("this table cannot be changed"); }
@@ -144,9 +149,11 @@ Sandbox::Sandbox(std::string deck_path, const ScriptLimits& given)
 
 /// Pushes the table of every name that a deck sees and the metatable that it gets once the prelude has run.
 int Sandbox::open_libraries(lua_State* L) {
-  const std::pair<const char*, lua_CFunction> libraries[] = {
-      {LUA_GNAME, luaopen_base}, {LUA_TABLIBNAME, luaopen_table}, {LUA_STRLIBNAME, luaopen_string},
-      {LUA_MATHLIBNAME, luaopen_math}, {LUA_UTF8LIBNAME, luaopen_utf8}};
+  const std::pair<const char*, lua_CFunction> libraries[] = {{LUA_GNAME, luaopen_base},
+                                                             {LUA_TABLIBNAME, luaopen_table},
+                                                             {LUA_STRLIBNAME, luaopen_string},
+                                                             {LUA_MATHLIBNAME, luaopen_math},
+                                                             {LUA_UTF8LIBNAME, luaopen_utf8}};
   for (auto [name, open] : libraries) {
     luaL_requiref(L, name, open, 1);
     lua_pop(L, 1);
@@ -213,7 +220,8 @@ void Sandbox::call(int arguments, int results, long instructions, const std::str
   if (status == LUA_OK) return;
   std::string message = text_at(L_, -1);
   if (status == LUA_ERRMEM || message == "not enough memory")
-    message = (failed_at_.line ? failed_at_.prefix() : what + ": ") + "the deck needs more than " + megabytes(limits.memory) + " of memory";
+    message = (failed_at_.line ? failed_at_.prefix() : what + ": ") + "the deck needs more than " +
+              megabytes(limits.memory) + " of memory";
   lua_pop(L_, 1);
   std::vector<std::string> lines;
   std::istringstream split(message);
@@ -285,9 +293,11 @@ int Sandbox::require(lua_State* L) {
   std::error_code ignored;
   const bool beside = name[0] != '/' && std::filesystem::is_regular_file(path, ignored);
   const auto bundled = bundled_scripts().find(name);
-  if (!beside && bundled == bundled_scripts().end()) throw ScriptError("require '" + name + "': there is no file " + path);
+  if (!beside && bundled == bundled_scripts().end())
+    throw ScriptError("require '" + name + "': there is no file " + path);
   const std::string text = beside ? sandbox.read_source(path) : bundled->second;
-  if (luaL_loadbufferx(L, text.data(), text.size(), (beside ? "@" + path : "=" + name).c_str(), "t") != LUA_OK) return lua_error(L);
+  if (luaL_loadbufferx(L, text.data(), text.size(), (beside ? "@" + path : "=" + name).c_str(), "t") != LUA_OK)
+    return lua_error(L);
   lua_call(L, 0, 1);
   if (lua_isnil(L, -1)) {
     lua_pop(L, 1);

@@ -1,9 +1,8 @@
 #pragma once
-#include <lua.hpp>
-
 #include <atomic>
 #include <condition_variable>
 #include <exception>
+#include <lua.hpp>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -44,7 +43,8 @@ class Watchdog {
 /// One deck's Lua state.
 class Sandbox : public std::enable_shared_from_this<Sandbox> {
  public:
-  /// `deck` is the path as given by the user; messages show it, and `require` and data files are relative to its folder.
+  /// `deck` is the path as given by the user; messages show it, and `require` and data files are relative to its
+  /// folder.
   Sandbox(std::string deck, const ScriptLimits& limits);
   ~Sandbox();
   Sandbox(const Sandbox&) = delete;
@@ -58,17 +58,18 @@ class Sandbox : public std::enable_shared_from_this<Sandbox> {
   void run_deck();
   /// Line of the deck that called the running C function; of `key` in the literal table of a noun if that can be told.
   Where where(const std::string& noun = "", const std::string& name = "", const std::string& key = "") const;
-  /// Path of `file` relative to the folder of the file that is running. Throws ScriptError if it leaves the deck's folder.
+  /// Path of `file` relative to the folder of the file that is running. Throws ScriptError if it leaves the deck's
+  /// folder.
   std::string data_file(const std::string& file) const;
 
   /// Every Lua file that was read, sorted.
   std::vector<std::string> sources() const;
 
-  Complaints complaints;    ///< found while reading; all are reported together
-  std::mutex busy;          ///< held while a function of position runs: they may be asked from several threads
+  Complaints complaints;  ///< found while reading; all are reported together
+  std::mutex busy;        ///< held while a function of position runs: they may be asked from several threads
   const ScriptLimits limits;
-  const std::string deck;   ///< path as given
-  const std::string folder; ///< of the deck, with a final slash, or ""
+  const std::string deck;    ///< path as given
+  const std::string folder;  ///< of the deck, with a final slash, or ""
 
  private:
   static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);

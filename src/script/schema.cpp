@@ -32,28 +32,40 @@ Keys operator+(Keys a, const Keys& b) {
 constexpr Range celsius{-273.15, 5000};
 
 KeyRule region_key(const char* doc) { return key("region", Type::names, doc).need(); }
-KeyRule surface_key() { return key("surface", Type::names, "surfaces where it acts: declared with `surface`, or groups of the mesh file").need(); }
+KeyRule surface_key() {
+  return key("surface", Type::names, "surfaces where it acts: declared with `surface`, or groups of the mesh file")
+      .need();
+}
 KeyRule elements_key() {
   return key("elements", Type::choice, "element shape: hexahedra, or the same split into wedges or tetrahedra")
-      .of({"hex8", "wedge6", "tet4"}).otherwise_text("hex8");
+      .of({"hex8", "wedge6", "tet4"})
+      .otherwise_text("hex8");
 }
-KeyRule law_key(const char* fallback) { return key("law", Type::choice, "how it deforms and fails; each law brings its own keys").otherwise_text(fallback); }
+KeyRule law_key(const char* fallback) {
+  return key("law", Type::choice, "how it deforms and fails; each law brings its own keys").otherwise_text(fallback);
+}
 Keys height_keys(const char* what) {
-  const std::string below = std::string("only ") + what + " at or below this height z", above = std::string("only ") + what + " at or above this height z";
-  return {number("below", dimension::length, range::any, below.c_str()), number("above", dimension::length, range::any, above.c_str())};
+  const std::string below = std::string("only ") + what + " at or below this height z",
+                    above = std::string("only ") + what + " at or above this height z";
+  return {number("below", dimension::length, range::any, below.c_str()),
+          number("above", dimension::length, range::any, above.c_str())};
 }
 Keys relaxation_keys() {
   return {
-      number("tolerance", dimension::none, Range{1e-14, 0.1}, "unbalanced force ratio at which the stage has converged").otherwise(1e-6),
+      number("tolerance", dimension::none, Range{1e-14, 0.1}, "unbalanced force ratio at which the stage has converged")
+          .otherwise(1e-6),
       key("damping", Type::choice, "how motion is taken out on the way to rest; the answer does not depend on it")
-          .of({"adaptive", "local", "viscous"}).otherwise_text("adaptive"),
-      number("damping_value", dimension::none, Range{0, 1, true}, "local: share of the force (0.8 unless given); viscous: share of velocity lost per step (0.02 unless given)"),
+          .of({"adaptive", "local", "viscous"})
+          .otherwise_text("adaptive"),
+      number(
+          "damping_value", dimension::none, Range{0, 1, true},
+          "local: share of the force (0.8 unless given); viscous: share of velocity lost per step (0.02 unless given)"),
       number("step_factor", dimension::none, Range{0, 1, true}, "scales the pseudo time step").otherwise(1),
       key("max_steps", Type::integer, "gives up after so many steps; chosen from the mesh unless given"),
   };
 }
 
-std::vector<std::string> recorded_names(bool Recorded::* where) {
+std::vector<std::string> recorded_names(bool Recorded::*where) {
   std::vector<std::string> names;
   for (const auto& r : recorded())
     if (r.*where) names.push_back(r.name);
@@ -79,7 +91,7 @@ const std::vector<Recorded>& recorded() {
       {"broken", "interfaces: intact, cracked in tension, cracked in shear", dimension::none, false, false, true},
       {"reaction", "force of the supports on the surface", dimension::force, false, true, false},
       {"load", "applied force on the surface", dimension::force, false, true, false},
-      {"area", "area of the surface", dimension::area, false, true, false},
+      {"load_moment", "moment of the applied force about the origin", Dimension{2, 1, -2, 0}, false, true, false},
   };
   return all;
 }
@@ -88,23 +100,38 @@ const std::vector<NounRule>& nouns() {
   static const std::vector<NounRule> all = {
       {.name = "model",
        .doc = "Names the model and gives the temperature at which there is no thermal strain.",
-       .keys = {number("reference_temperature", dimension::temperature, celsius, "no thermal strain at this temperature; also the initial temperature unless given").otherwise(0)},
+       .keys = {number("reference_temperature", dimension::temperature, celsius,
+                       "no thermal strain at this temperature; also the initial temperature unless given")
+                    .otherwise(0)},
        .example = R"(model "gravity_dam" { reference_temperature = 10*degC })"},
       {.name = "extrude",
-       .doc = "A body: a section in the x-z plane, extruded along y. Its name becomes a region. Sections that share an edge get meshes that fit.",
-       .keys = {key("section", Type::outline, "corners { x, z } of the outline, in order; the last joins the first").in(dimension::length).need(),
+       .doc = "A body: a section in the x-z plane, extruded along y. Its name becomes a region. Sections that share an "
+              "edge get meshes that fit.",
+       .keys = {key("section", Type::outline, "corners { x, z } of the outline, in order; the last joins the first")
+                    .in(dimension::length)
+                    .need(),
                 number("length", dimension::length, range::positive, "along y").need(),
                 number("size", dimension::length, range::positive, "element edge to aim at").need(),
-                number("layer_size", dimension::length, range::positive, "element edge along y; as `size` unless given"),
+                number("layer_size", dimension::length, range::positive,
+                       "element edge along y; as `size` unless given"),
                 key("layers", Type::integer, "elements along y; from `layer_size` unless given"),
                 number("from", dimension::length, range::any, "y where the extrusion starts").otherwise(0),
-                key("corners", Type::integers, "which four points of `section` (counted from 1) are the corners of the logical quad; picked by angle unless given").between({1, 1e6}),
-                key("divisions", Type::counts, "elements along chosen sides, counted from the first corner: { [1] = 6, [2] = 8 }").between({1, 1e6}),
-                number("grade", dimension::none, range::positive, "element size at the far free side over the size next to the neighbour").otherwise(1),
+                key("corners", Type::integers,
+                    "which four points of `section` (counted from 1) are the corners of the logical quad; picked by "
+                    "angle unless given")
+                    .between({1, 1e6}),
+                key("divisions", Type::counts,
+                    "elements along chosen sides, counted from the first corner: { [1] = 6, [2] = 8 }")
+                    .between({1, 1e6}),
+                number("grade", dimension::none, range::positive,
+                       "element size at the far free side over the size next to the neighbour")
+                    .otherwise(1),
                 elements_key()},
-       .example = R"(extrude "dam" { section = { {0,0}, {48*m,0}, {8*m,50*m}, {8*m,60*m}, {0,60*m} }, length = 12*m, size = 4*m })"},
+       .example =
+           R"(extrude "dam" { section = { {0,0}, {48*m,0}, {8*m,50*m}, {8*m,60*m}, {0,60*m} }, length = 12*m, size = 4*m })"},
       {.name = "box",
-       .doc = "A rectangular body along the axes. Its name becomes a region; touching boxes share nodes where their divisions agree.",
+       .doc = "A rectangular body along the axes. Its name becomes a region; touching boxes share nodes where their "
+              "divisions agree.",
        .keys = {key("from", Type::vector, "corner with the smallest x, y, z").in(dimension::length).need(),
                 key("to", Type::vector, "corner with the largest x, y, z").in(dimension::length).need(),
                 key("cells", Type::integers, "elements along x, y, z; give this or `size`").between({1, 1e6}),
@@ -113,7 +140,8 @@ const std::vector<NounRule>& nouns() {
        .example = R"(box "column" { from = {0,0,0}, to = {1*m,1*m,10*m}, cells = {1,1,10} })"},
       {.name = "import_mesh",
        .naming = Naming::optional,
-       .doc = "Reads a Gmsh file (.msh 2.2 or 4.1, ASCII: hex8, wedge6, tet4). Physical volumes become regions, physical surfaces become surfaces.",
+       .doc = "Reads a Gmsh file (.msh 2.2 or 4.1, ASCII: hex8, wedge6, tet4). Physical volumes become regions, "
+              "physical surfaces become surfaces.",
        .keys = {key("file", Type::text, "path relative to the deck").need(),
                 number("unit", dimension::length, range::positive, "length that 1 in the file stands for").otherwise(1),
                 key("regions", Type::renames, "new names of regions: { old = \"new\" }"),
@@ -123,51 +151,63 @@ const std::vector<NounRule>& nouns() {
        .doc = "A named part of the outer faces of regions. Every filter that is given must hold.",
        .keys = {key("of", Type::names, "regions whose faces are taken; every region unless given"),
                 key("group", Type::names, "surfaces of the mesh file to take the faces from"),
-                key("side", Type::choices, "extreme sides of the regions: left is -x, front is -y, bottom is -z").of({"left", "right", "front", "back", "bottom", "top"}),
+                key("side", Type::choices, "extreme sides of the regions: left is -x, front is -y, bottom is -z")
+                    .of({"left", "right", "front", "back", "bottom", "top"}),
                 key("facing", Type::vector, "direction that the outward normals point to"),
-                number("within", dimension::none, Range{0, 3.1416, true}, "largest angle from `facing`, such as 60*deg").otherwise(0.5235987755982988),
-                key("box", Type::vectors, "only faces with their centre between the corners { low, high }").in(dimension::length),
+                number("within", dimension::none, Range{0, 3.1416, true}, "largest angle from `facing`, such as 60*deg")
+                    .otherwise(0.5235987755982988),
+                key("box", Type::vectors, "only faces with their centre between the corners { low, high }")
+                    .in(dimension::length),
                 key("plane", Type::vectors, "only faces in the plane { point, normal }").in(dimension::length)},
        .example = R"(surface "upstream" { of = "dam", facing = { -1, 0, 0 } })"},
       {.name = "material",
        .doc = "What regions are made of. The keys depend on the law.",
-       .keys = {region_key("regions made of it"),
-                law_key("elastic"),
+       .keys = {region_key("regions made of it"), law_key("elastic"),
                 number("density", dimension::density, range::positive, "mass per volume").need(),
-                number("conductivity", dimension::conductivity, range::positive, "heat conduction; needed by thermal stages"),
-                number("heat_capacity", dimension::heat_capacity, range::positive, "heat per mass; needed by transient thermal stages")},
-       .example = R"(material "concrete" { region = "dam", density = 2400*kg/m^3, young = 30*GPa, poisson = 0.2, expansion = 9e-6/K })",
+                number("conductivity", dimension::conductivity, range::positive,
+                       "heat conduction; needed by thermal stages"),
+                number("heat_capacity", dimension::heat_capacity, range::positive,
+                       "heat per mass; needed by transient thermal stages")},
+       .example =
+           R"(material "concrete" { region = "dam", density = 2400*kg/m^3, young = 30*GPa, poisson = 0.2, expansion = 9e-6/K })",
        .laws = Laws::material},
       {.name = "joint",
-       .doc = "An interface where two regions touch: their faces are tied by springs that open, slide and crack by the law.",
+       .doc = "An interface where two regions touch: their faces are tied by springs that open, slide and crack by the "
+              "law.",
        .keys = {key("between", Type::names, "the two regions").need(), law_key("")},
-       .example = R"(joint "dam_base" { between = { "dam", "rock" }, law = "brittle", tensile_strength = 0.5*MPa, cohesion = 1*MPa, friction = 42*deg })",
+       .example =
+           R"(joint "dam_base" { between = { "dam", "rock" }, law = "brittle", tensile_strength = 0.5*MPa, cohesion = 1*MPa, friction = 42*deg })",
        .laws = Laws::interface},
       {.name = "crackable",
-       .doc = "Regions that may crack along every element face: each element becomes its own block, tied to its neighbours by springs.",
+       .doc = "Regions that may crack along every element face: each element becomes its own block, tied to its "
+              "neighbours by springs.",
        .keys = {region_key("regions that may crack"), law_key("")},
-       .example = R"(crackable "body" { region = "dam", law = "brittle", tensile_strength = 2*MPa, cohesion = 3*MPa, friction = 45*deg })",
+       .example =
+           R"(crackable "body" { region = "dam", law = "brittle", tensile_strength = 2*MPa, cohesion = 3*MPa, friction = 45*deg })",
        .laws = Laws::interface},
       {.name = "fix",
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Holds a surface at zero displacement in the directions given.",
-       .keys = {surface_key(), key("x", Type::zero, "0: no movement along x"), key("y", Type::zero, "0: no movement along y"),
-                key("z", Type::zero, "0: no movement along z"), key("normal", Type::flag, "true: no movement normal to the surface (roller)").otherwise(0)},
+       .keys = {surface_key(), key("x", Type::zero, "0: no movement along x"),
+                key("y", Type::zero, "0: no movement along y"), key("z", Type::zero, "0: no movement along z"),
+                key("normal", Type::flag, "true: no movement normal to the surface (roller)").otherwise(0)},
        .example = R"(fix "base" { surface = "bottom", x = 0, y = 0, z = 0 })"},
       {.name = "displacement",
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Moves a surface by a given displacement; directions that are left out stay free.",
-       .keys = {surface_key(), field("x", dimension::length, "along x"), field("y", dimension::length, "along y"), field("z", dimension::length, "along z")},
+       .keys = {surface_key(), field("x", dimension::length, "along x"), field("y", dimension::length, "along y"),
+                field("z", dimension::length, "along z")},
        .example = R"(displacement "pull" { surface = "top", z = 1*mm })"},
       {.name = "gravity",
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Weight of every region.",
-       .keys = {number("x", dimension::acceleration, range::any, "acceleration along x").otherwise(0),
-                number("y", dimension::acceleration, range::any, "acceleration along y").otherwise(0),
-                number("z", dimension::acceleration, range::any, "acceleration along z; down is negative").otherwise(0)},
+       .keys =
+           {number("x", dimension::acceleration, range::any, "acceleration along x").otherwise(0),
+            number("y", dimension::acceleration, range::any, "acceleration along y").otherwise(0),
+            number("z", dimension::acceleration, range::any, "acceleration along z; down is negative").otherwise(0)},
        .example = R"(gravity { z = -9.81 })"},
       {.name = "water_pressure",
        .kind = NounKind::condition,
@@ -181,40 +221,56 @@ const std::vector<NounRule>& nouns() {
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Force per area on a surface, in fixed directions; numbers or functions of x, y, z.",
-       .keys = {surface_key(), field("x", dimension::pressure, "along x").otherwise(0), field("y", dimension::pressure, "along y").otherwise(0),
+       .keys = {surface_key(), field("x", dimension::pressure, "along x").otherwise(0),
+                field("y", dimension::pressure, "along y").otherwise(0),
                 field("z", dimension::pressure, "along z").otherwise(0)},
        .example = R"(traction "ice" { surface = "top", x = function(x, y, z) return 10*kPa * (1 - y/12) end })"},
       {.name = "fixed_temperature",
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Temperature of a surface, such as a wetted face.",
-       .keys = Keys{surface_key(), field("value", dimension::temperature, "temperature, a number or a function of x, y, z").between(celsius).need()} + height_keys("nodes"),
+       .keys =
+           Keys{surface_key(), field("value", dimension::temperature, "temperature, a number or a function of x, y, z")
+                                   .between(celsius)
+                                   .need()} +
+           height_keys("nodes"),
        .example = R"(fixed_temperature "water" { surface = "upstream", below = 55*m, value = 8*degC })"},
       {.name = "convection",
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Heat exchange film * (ambient - temperature) through a surface, such as with the air.",
-       .keys = Keys{surface_key(), field("ambient", dimension::temperature, "temperature of the air, a number or a function of x, y, z").between(celsius).need(),
-                    number("film", dimension::film, range::positive, "film coefficient").need()} + height_keys("faces with their centre"),
+       .keys =
+           Keys{surface_key(),
+                field("ambient", dimension::temperature, "temperature of the air, a number or a function of x, y, z")
+                    .between(celsius)
+                    .need(),
+                number("film", dimension::film, range::positive, "film coefficient").need()} +
+           height_keys("faces with their centre"),
        .example = R"(convection "air" { surface = "downstream", ambient = 28.2*degC, film = 15*W/(m^2*K) })"},
       {.name = "flux",
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Heat that enters through a surface; negative: leaves.",
-       .keys = {surface_key(), field("value", dimension::heat_flux, "heat per area and time into the body, a number or a function of x, y, z").need()},
+       .keys = {surface_key(), field("value", dimension::heat_flux,
+                                     "heat per area and time into the body, a number or a function of x, y, z")
+                                   .need()},
        .example = R"(flux "sun" { surface = "top", value = 20*W/m^2 })"},
       {.name = "initial_temperature",
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Temperature before the first stage where it acts; the reference temperature unless given.",
-       .keys = {field("value", dimension::temperature, "temperature, a number or a function of x, y, z").between(celsius).need(),
+       .keys = {field("value", dimension::temperature, "temperature, a number or a function of x, y, z")
+                    .between(celsius)
+                    .need(),
                 key("region", Type::names, "regions; the whole model unless given")},
        .example = R"(initial_temperature { value = 15*degC })"},
       {.name = "temperature_field",
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Temperature given everywhere instead of solved for; static stages feel its thermal strain.",
-       .keys = {field("value", dimension::temperature, "temperature, a number or a function of x, y, z").between(celsius).need()},
+       .keys = {field("value", dimension::temperature, "temperature, a number or a function of x, y, z")
+                    .between(celsius)
+                    .need()},
        .example = R"(temperature_field { value = function(x, y, z) return 10 + 0.5*z end })"},
       {.name = "static",
        .kind = NounKind::solve,
@@ -226,59 +282,82 @@ const std::vector<NounRule>& nouns() {
        .kind = NounKind::solve,
        .naming = Naming::none,
        .doc = "Heat: the steady state, or a transient of a given duration.",
-       .keys = {key("steady", Type::flag, "true: the state that the boundary conditions lead to in the end").otherwise(0),
-                number("duration", dimension::time, range::positive, "of a transient; give this or `steady = true`"),
-                number("tolerance", dimension::none, Range{1e-15, 0.1}, "steady: residual over its start").otherwise(1e-10)},
+       .keys =
+           {key("steady", Type::flag, "true: the state that the boundary conditions lead to in the end").otherwise(0),
+            number("duration", dimension::time, range::positive, "of a transient; give this or `steady = true`"),
+            number("tolerance", dimension::none, Range{1e-15, 0.1}, "steady: residual over its start")
+                .otherwise(1e-10)},
        .example = R"(stage "winter" { solve = thermal { duration = 100*days } })"},
       {.name = "fracture",
        .kind = NounKind::solve,
        .naming = Naming::none,
-       .doc = "The temperature change between the ends of two thermal stages, put on the state reached in increments, with cracks.",
-       .keys = Keys{key("from", Type::text, "thermal stage whose end is the start; the reference temperature unless given"),
-                    key("to", Type::text, "thermal stage whose end is the goal").need(),
-                    key("increments", Type::integer, "steps of the load factor from 0 to 1").otherwise(10),
-                    key("max_events", Type::integer, "gives up after so many crack events").otherwise(100000)} + relaxation_keys(),
+       .doc = "The temperature change between the ends of two thermal stages, put on the state reached in increments, "
+              "with cracks.",
+       .keys =
+           Keys{key("from", Type::text, "thermal stage whose end is the start; the reference temperature unless given"),
+                key("to", Type::text, "thermal stage whose end is the goal").need(),
+                key("increments", Type::integer, "steps of the load factor from 0 to 1").otherwise(10),
+                key("max_events", Type::integer, "gives up after so many crack events").otherwise(100000)} +
+           relaxation_keys(),
        .example = R"(stage "fracture" { solve = fracture { from = "summer", to = "winter", increments = 10 } })"},
       {.name = "stage",
        .doc = "One step of the model's life. Stages continue from each other, in the deck's order.",
        .keys = {key("solve", Type::solve, "static {...}, thermal {...} or fracture {...}").need(),
-                key("apply", Type::conditions, "conditions that act from this stage on: a list of calls such as convection {...}. One replaces an earlier one of its noun on the same surface"),
+                key("apply", Type::conditions,
+                    "conditions that act from this stage on: a list of calls such as convection {...}. One replaces an "
+                    "earlier one of its noun on the same surface"),
                 key("remove", Type::names, "names of conditions that stop acting"),
-                key("reset_displacement", Type::flag, "true: results count displacement from the end of this stage").otherwise(0)},
-       .example = R"(stage "summer" { apply = { fixed_temperature { surface = "top", value = 20*degC } }, solve = thermal { steady = true } })"},
+                key("reset_displacement", Type::flag, "true: results count displacement from the end of this stage")
+                    .otherwise(0)},
+       .example =
+           R"(stage "summer" { apply = { fixed_temperature { surface = "top", value = 20*degC } }, solve = thermal { steady = true } })"},
       {.name = "history",
        .doc = "A curve in history.csv: fields at a point, or sums over a surface.",
        .keys = {key("at", Type::vector, "the point; give this or `surface`").in(dimension::length),
                 key("surface", Type::text, "the surface; give this or `at`"),
-                key("record", Type::choices, "at a point: displacement, temperature, stress; over a surface: reaction, load, area").of(history_names()).need()},
+                key("record", Type::choices,
+                    "at a point: displacement, temperature, stress; over a surface: reaction, load, load_moment")
+                    .of(history_names())
+                    .need()},
        .example = R"(history "crest" { at = { 0, 0, 60*m }, record = { "displacement", "temperature" } })"},
       {.name = "output",
        .doc = "Fields in the result files.",
        .keys = {key("record", Type::choices, "fields to write").of(recorded_names(&Recorded::in_output)).need(),
-                key("at", Type::choice, "when: at the end of every stage, or of every increment too").of({"stage_end", "increment"}).otherwise_text("stage_end"),
+                key("at", Type::choice, "when: at the end of every stage, or of every increment too")
+                    .of({"stage_end", "increment"})
+                    .otherwise_text("stage_end"),
                 key("every", Type::integer, "with at = \"increment\": every so many increments").otherwise(1)},
        .example = R"(output "fields" { record = { "displacement", "stress" }, at = "stage_end" })"},
       {.name = "picture",
        .doc = "A picture that `ashlar plot` draws from the results.",
        .keys = {key("of", Type::choice, "field to show").of(recorded_names(&Recorded::in_output)).need(),
                 key("stage", Type::text, "at the end of this stage; the last one unless given"),
-                number("deform", dimension::none, range::not_negative, "magnification of the displacement; 0: undeformed shape").otherwise(0),
+                number("deform", dimension::none, range::not_negative,
+                       "magnification of the displacement; 0: undeformed shape")
+                    .otherwise(0),
                 key("section", Type::choice, "cut at mid thickness instead of the surface").of({"y"})},
        .example = R"(picture "cracks" { of = "broken", deform = 200 })"},
       {.name = "expect",
-       .doc = "A statement about the results, checked at the end of a run (exit code 4 if one fails). A history's value at the end of a stage lies in `between`, or "
-              "is `value` within `tolerance` or `relative`; or `that` is a function of the result returning true (and, if it likes, a text). The result offers "
-              "stage(name) with .converged .steps .ratio .load_factor .stop_reason .cracks (number of crack events) .first_crack (its load factor) .cracked_area .dissipated_energy .free_blocks, "
+       .doc = "A statement about the results, checked at the end of a run (exit code 4 if one fails). A history's "
+              "value at the end of a stage lies in `between`, or "
+              "is `value` within `tolerance` or `relative`; or `that` is a function of the result returning true (and, "
+              "if it likes, a text). The result offers "
+              "stage(name) with .converged .steps .ratio .load_factor .stop_reason .cracks (number of crack events) "
+              ".first_crack (its load factor) .cracked_area .dissipated_energy .free_blocks, "
               "and history(name) with .at(column, stage) and .columns.",
        .keys = {key("history", Type::text, "name of a history"),
                 key("component", Type::text, "its column, such as \"displacement.z\""),
                 key("stage", Type::text, "at the end of this stage; the last row unless given"),
                 key("between", Type::interval, "{ lowest, highest } value").of_any_dimension(),
                 number("value", dimension::none, range::any, "wanted value").of_any_dimension(),
-                number("tolerance", dimension::none, range::not_negative, "allowed difference from `value`, in its unit").of_any_dimension(),
-                number("relative", dimension::none, range::not_negative, "allowed difference from `value` as a share of it"),
+                number("tolerance", dimension::none, range::not_negative,
+                       "allowed difference from `value`, in its unit")
+                    .of_any_dimension(),
+                number("relative", dimension::none, range::not_negative,
+                       "allowed difference from `value` as a share of it"),
                 key("that", Type::function, "function(result) that returns true if all is well")},
-       .example = R"(expect "crest settles" { history = "crest", component = "displacement.z", stage = "gravity", between = { -60*mm, -1*mm } })"},
+       .example =
+           R"(expect "crest settles" { history = "crest", component = "displacement.z", stage = "gravity", between = { -60*mm, -1*mm } })"},
   };
   return all;
 }

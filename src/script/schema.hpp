@@ -8,9 +8,9 @@
 namespace ashlar {
 
 enum class KeyType {
-  number,      ///< number or quantity
+  number,  ///< number or quantity
   integer,
-  flag,        ///< true or false
+  flag,  ///< true or false
   text,
   choice,      ///< one of `choices`
   choices,     ///< one or several of `choices`
@@ -35,19 +35,33 @@ struct KeyRule {
   std::string doc;
   Dimension dimension{};
   Range range{};
-  bool any_dimension = false;           ///< judged later, by what it is compared with
+  bool any_dimension = false;  ///< judged later, by what it is compared with
   bool required = false;
-  std::optional<double> fallback;       ///< numbers, integers, flags
-  std::string fallback_text;            ///< choices and names
+  std::optional<double> fallback;  ///< numbers, integers, flags
+  std::string fallback_text;       ///< choices and names
   std::vector<std::string> choices;
 
-  KeyRule in(Dimension d, Range r = range::any) const { return with([&](KeyRule& k) { k.dimension = d, k.range = r; }); }
-  KeyRule between(Range r) const { return with([&](KeyRule& k) { k.range = r; }); }
-  KeyRule need() const { return with([](KeyRule& k) { k.required = true; }); }
-  KeyRule otherwise(double value) const { return with([&](KeyRule& k) { k.fallback = value; }); }
-  KeyRule otherwise_text(const char* value) const { return with([&](KeyRule& k) { k.fallback_text = value; }); }
-  KeyRule of(std::vector<std::string> values) const { return with([&](KeyRule& k) { k.choices = std::move(values); }); }
-  KeyRule of_any_dimension() const { return with([](KeyRule& k) { k.any_dimension = true; }); }
+  KeyRule in(Dimension d, Range r = range::any) const {
+    return with([&](KeyRule& k) { k.dimension = d, k.range = r; });
+  }
+  KeyRule between(Range r) const {
+    return with([&](KeyRule& k) { k.range = r; });
+  }
+  KeyRule need() const {
+    return with([](KeyRule& k) { k.required = true; });
+  }
+  KeyRule otherwise(double value) const {
+    return with([&](KeyRule& k) { k.fallback = value; });
+  }
+  KeyRule otherwise_text(const char* value) const {
+    return with([&](KeyRule& k) { k.fallback_text = value; });
+  }
+  KeyRule of(std::vector<std::string> values) const {
+    return with([&](KeyRule& k) { k.choices = std::move(values); });
+  }
+  KeyRule of_any_dimension() const {
+    return with([](KeyRule& k) { k.any_dimension = true; });
+  }
 
  private:
   template <class Change>
@@ -70,7 +84,7 @@ struct NounRule {
   std::string doc;
   std::vector<KeyRule> keys;
   std::string example;
-  Laws laws = Laws::none;               ///< more keys come from the law that the key `law` names
+  Laws laws = Laws::none;  ///< more keys come from the law that the key `law` names
 };
 
 /// In the order of the help index.

@@ -1,0 +1,253 @@
+#include <algorithm>
+#include <set>
+
+#include "base/nearest_name.hpp"
+#include "model/conditions.hpp"
+#include "model/locate.hpp"
+#include "model/loose_bodies.hpp"
+#include "model/model.hpp"
+#include "model/place_text.hpp"
+#include "physics/interface_laws/interface_laws.hpp"
+
+namespace ashlar {
+namespace {
+
+std::string title(const std::string& noun, const std::string& name) {
+  return name.empty() ? noun : noun + " '" + name + "'";
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string all;
+  for (const auto& name : names) all += (all.empty() ? "'" : ", '") + name + "'";
+  return all;
+}
+
+bool is_mechanical(const Stage& stage) { return !std::holds_alternative<ThermalSolve>(stage.solve); }
+
+class ModelCheck {
+ public:
+  explicit ModelCheck(const Model& model) : model_(model) {
+    for (const auto& s : model.mesh.surfaces) surfaces_.push_back(s.name);
+    for (const auto& s : model.stages) stages_.push_back(s.name);
+  }
+
+  void run() {
+    materials();
+    interfaces();
+    condition_references();
+    stages();
+    histories_and_pictures();
+    complaints_.raise();
+    // What follows needs every name to be right.
+    idle_conditions();
+    supports();
+    complaints_.raise();
+  }
+
+ private:
+  void region(const std::string& name, const Where& where, const std::string& who) {
+    if (model_.mesh.find_region(name) < 0)
+      complaints_.add(where,
+                      who + ": there is no region '" + name + "'" + suggest_name(name, model_.mesh.region_names));
+  }
+  void surface(const std::string& name, const Where& where, const std::string& who) {
+    if (!model_.mesh.find_surface(name))
+      complaints_.add(where, who + ": there is no surface '" + name + "'" + suggest_name(name, surfaces_));
+  }
+  int stage(const std::string& name, const Where& where, const std::string& who) {
+    const auto found = std::find(stages_.begin(), stages_.end(), name);
+    if (found != stages_.end()) return static_cast<int>(found - stages_.begin());
+    complaints_.add(where, who + ": there is no stage '" + name + "'" + suggest_name(name, stages_));
+    return -1;
+  }
+
+  void materials() {
+    std::map<std::string, const Material*> owner;
+    for (const auto& material : model_.materials)
+      for (const auto& name : material.regions) {
+        region(name, material.where, title("material", material.name));
+        const auto [other, fresh] = owner.emplace(name, &material);
+        if (!fresh)
+          complaints_.add(material.where, title("material", material.name) + ": region '" + name +
+                                              "' is made of material '" + other->second->name + "' already");
+      }
+    for (const auto& name : model_.mesh.region_names)
+      if (!owner.contains(name))
+        complaints_.add(declared(name), "region '" + name + "' has no material; write material \"...\" { region = \"" +
+                                            name + "\", ... }");
+  }
+
+  Where declared(const std::string& region) const {
+    for (const auto& e : model_.extrudes)
+      if (e.name == region) return e.where;
+    for (const auto& b : model_.boxes)
+      if (b.name == region) return b.where;
+    for (const auto& i : model_.imports)
+      if (i.mesh.find_region(region) >= 0) return i.where;
+    return model_.where;
+  }
+
+  void interfaces() {
+    for (const auto& i : model_.interfaces) {
+      const std::string who = title(i.crackable ? "crackable" : "joint", i.name);
+      for (const auto& name : i.regions) region(name, i.where, who);
+      collect([&] { interface_constants(i.law, i.values, i.where, who); });
+    }
+  }
+
+  void condition_references() {
+    for (const auto& c : model_.conditions) {
+      const std::string who = title(c.noun, c.name);
+      for (const auto& name : c.surfaces) surface(name, c.where, who);
+      if (const auto* start = std::get_if<InitialTemperature>(&c.kind))
+        for (const auto& name : start->regions) region(name, c.where, who);
+    }
+  }
+
+  void stages() {
+    if (model_.stages.empty())
+      complaints_.add(
+          model_.where,
+          "the model has no stage, so there is nothing to solve; write stage \"gravity\" { solve = static {} }");
+    std::vector<std::string> names;
+    for (const auto& c : model_.conditions)
+      if (!c.name.empty() && std::find(names.begin(), names.end(), c.name) == names.end()) names.push_back(c.name);
+    for (std::size_t s = 0; s < model_.stages.size(); ++s) {
+      const Stage& stage = model_.stages[s];
+      const std::string who = title("stage", stage.name);
+      for (const auto& name : stage.remove) {
+        std::set<std::string> nouns;
+        for (const auto& c : model_.conditions)
+          if (c.name == name) nouns.insert(title(c.noun, c.name));
+        if (nouns.empty())
+          complaints_.add(stage.where, who + ": cannot remove '" + name + "': no condition has this name" +
+                                           suggest_name(name, names));
+        if (nouns.size() > 1)
+          complaints_.add(stage.where, who + ": remove '" + name + "' means both " + *nouns.begin() + " and " +
+                                           *nouns.rbegin() + "; give them different names");
+      }
+      if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve)) thermal_stage(stage, *thermal);
+      if (const auto* fracture = std::get_if<FractureSolve>(&stage.solve)) {
+        for (const auto& name : {fracture->from, fracture->to}) {
+          if (name.empty()) continue;
+          const int index = this->stage(name, stage.where, who);
+          if (index >= static_cast<int>(s))
+            complaints_.add(stage.where, who + ": stage '" + name + "' must come before it");
+          else if (index >= 0 && !std::holds_alternative<ThermalSolve>(model_.stages[index].solve))
+            complaints_.add(stage.where, who + ": stage '" + name + "' is not thermal, so no temperature ends there");
+        }
+      }
+    }
+  }
+
+  void thermal_stage(const Stage& stage, const ThermalSolve& thermal) {
+    for (const auto& material : model_.materials) {
+      const auto need = [&](const char* key, const char* unit) {
+        if (missing_.emplace(material.name, key).second)
+          complaints_.add(material.where, title("material", material.name) + ": missing '" + key + "' [" + unit +
+                                              "], which stage '" + stage.name + "' needs");
+      };
+      if (!material.conductivity) need("conductivity", "W/(m*K)");
+      if (!material.heat_capacity && !thermal.steady) need("heat_capacity", "J/(kg*K)");
+    }
+  }
+
+  void histories_and_pictures() {
+    for (const auto& h : model_.histories) {
+      const std::string who = title("history", h.name);
+      if (!h.at) {
+        surface(h.surface, h.where, who);
+      } else if (!locate(model_.mesh, *h.at)) {
+        const auto& near = model_.mesh.points[nearest_node(model_.mesh, *h.at)];
+        complaints_.add(h.where, who + ": " + place_text(*h.at) + " is outside the body; the nearest node is at " +
+                                     place_text(near));
+      }
+    }
+    std::vector<std::string> written;
+    for (const auto& output : model_.outputs) written.insert(written.end(), output.record.begin(), output.record.end());
+    for (const auto& p : model_.pictures) {
+      const std::string who = title("picture", p.name);
+      if (!p.stage.empty()) stage(p.stage, p.where, who);
+      std::vector<std::string> needed{p.of == "cracks" ? "broken" : p.of.substr(0, p.of.find('.'))};
+      if (p.deform > 0 && needed[0] != "displacement") needed.push_back("displacement");
+      for (const auto& field : needed)
+        if (!written.empty() && std::find(written.begin(), written.end(), field) == written.end())
+          complaints_.add(p.where, who + ": needs the field '" + field + "', which no output records");
+    }
+  }
+
+  /// Conditions that no stage feels.
+  void idle_conditions() {
+    std::set<const Condition*> felt;
+    for (std::size_t s = 0; s < model_.stages.size(); ++s)
+      for (const auto& acting : acting_conditions(model_, static_cast<int>(s)))
+        if (felt_by(*acting.condition, model_.stages[s])) felt.insert(acting.condition);
+    for (const auto& c : model_.conditions)
+      if (!felt.contains(&c))
+        complaints_.add(c.where, title(c.noun, c.name) + " acts in no stage that could feel it: it needs " +
+                                     (thermal_boundary(c) ? "a thermal stage" : "a static or fracture stage") +
+                                     "; add one or leave the condition out");
+  }
+  static bool thermal_boundary(const Condition& c) {
+    return std::holds_alternative<FixedTemperature>(c.kind) || std::holds_alternative<Convection>(c.kind) ||
+           std::holds_alternative<Flux>(c.kind);
+  }
+  static bool felt_by(const Condition& c, const Stage& stage) {
+    if (std::holds_alternative<InitialTemperature>(c.kind) || std::holds_alternative<TemperatureField>(c.kind))
+      return true;
+    return thermal_boundary(c) != is_mechanical(stage);
+  }
+
+  /// Bodies that a stage leaves free, and steady heat without a given temperature.
+  void supports() {
+    const bool mechanical = std::any_of(model_.stages.begin(), model_.stages.end(), is_mechanical);
+    Blocks blocks;
+    collect([&] {
+      if (mechanical || !model_.interfaces.empty()) blocks = split_blocks(model_, find_faces(model_.mesh));
+    });
+    if (!complaints_.empty()) return;
+    for (std::size_t s = 0; s < model_.stages.size(); ++s) {
+      const Stage& stage = model_.stages[s];
+      if (is_mechanical(stage)) {
+        const auto loose = loose_bodies(model_, blocks, static_cast<int>(s));
+        for (std::size_t i = 0; i < loose.size() && i < 5; ++i)
+          complaints_.add(stage.where, title("stage", stage.name) + ": nothing holds " +
+                                           (loose[i].regions.size() == 1 ? "region " : "regions ") +
+                                           listed(loose[i].regions) + " " + loose[i].movement +
+                                           "; add a fix, or a joint to a body that is held");
+        if (loose.size() > 5)
+          complaints_.add(stage.where, title("stage", stage.name) + ": ... and " + std::to_string(loose.size() - 5) +
+                                           " more bodies are free");
+      } else if (std::get<ThermalSolve>(stage.solve).steady) {
+        const auto acting = acting_conditions(model_, static_cast<int>(s));
+        if (std::none_of(acting.begin(), acting.end(), [](const ActingCondition& a) {
+              return std::holds_alternative<FixedTemperature>(a.condition->kind) ||
+                     std::holds_alternative<Convection>(a.condition->kind);
+            }))
+          complaints_.add(stage.where,
+                          title("stage", stage.name) + ": a steady state needs a fixed_temperature or a convection");
+      }
+      if (!complaints_.empty()) return;  // later stages would repeat it
+    }
+  }
+
+  template <class Check>
+  void collect(Check check) {
+    try {
+      check();
+    } catch (const DeckError& error) {
+      for (const auto& line : error.lines()) complaints_.add({}, line);
+    }
+  }
+
+  const Model& model_;
+  std::vector<std::string> surfaces_, stages_;
+  std::set<std::pair<std::string, std::string>> missing_;  ///< material and key already complained about
+  Complaints complaints_;
+};
+
+}  // namespace
+
+void check_model(const Model& model) { ModelCheck(model).run(); }
+
+}  // namespace ashlar
