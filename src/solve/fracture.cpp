@@ -9,6 +9,8 @@ namespace {
 constexpr double most_over_strength = 1.005;   // numerics 5
 constexpr double aimed_over_strength = 1.001;  // where the search for the first crack aims: surely over, hardly over
 constexpr double finest_advance = 1e-9;        // of the load factor: below this the path jumps
+constexpr double balance_to_rounding = 1e-12;  // of the unbalanced force ratio, double precision
+constexpr int most_looks_in_balance = 20;      // in a row
 constexpr long support_interval = 1000;        // relaxation steps between two looks for bodies that float away
 
 }  // namespace
@@ -70,7 +72,11 @@ bool Fracture::relax() {
   // row.
   std::size_t floating_before = 0;
   bool stopped = false;
-  const auto watch = [&](long step, double) {
+  // A start that balances to rounding leaves no motion to compare the present motion with.
+  int looks_in_balance = 0;
+  const auto watch = [&](long step, double ratio) {
+    looks_in_balance = ratio <= balance_to_rounding ? looks_in_balance + 1 : 0;
+    if (looks_in_balance >= most_looks_in_balance) return true;
     if (!cracks_.can_separate() || step % support_interval != 0) return false;
     const auto floating = free_bodies(problem_, contacts_.read()).size();
     if (floating > 0 && floating_before > 0) {
@@ -84,6 +90,11 @@ bool Fracture::relax() {
   last_ = links_.relax(watch);
   steps_ += last_.steps;
   if (stopped) return false;
+  if (looks_in_balance >= most_looks_in_balance) {
+    last_.converged = true;
+    last_.interrupted = false;
+    last_.stop_reason = "converged";
+  }
   if (!last_.converged) return stop(last_.stop_reason);
   return !cracks_.can_separate() || hold_free_bodies();
 }
