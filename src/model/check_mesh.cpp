@@ -5,8 +5,10 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "model/place_text.hpp"
+#include "model/touching.hpp"
 #include "physics/gauss_table.hpp"
 
 namespace ashlar {
@@ -207,14 +209,33 @@ class MeshCheck {
 
   void matching_faces() {
     const auto faces = find_faces(mesh_);
-    LimitedComplaints overlaps(complaints_, declared_);
+    elements_on_one_side(faces);
+    quads_on_triangles(faces);
+    complaints_.raise();
+    touching_without_sharing(faces);
+  }
+
+  void elements_on_one_side(const FaceGraph& faces) {
+    LimitedComplaints found(complaints_, declared_);
     for (const auto& pair : faces.inner)
       if (dot(mesh_.facet_area(pair.a), mesh_.facet_area(pair.b)) > 0)
-        overlaps.add(mesh_.regions[pair.b.element], [&] {
+        found.add(mesh_.regions[pair.b.element], [&] {
           return name(pair.b.element) + ": lies on the same side of its face as " + name(pair.a.element) +
                  "; elements overlap";
         });
-    quads_on_triangles(faces);
+  }
+
+  /// One complaint for each two regions.
+  void touching_without_sharing(const FaceGraph& faces) {
+    std::set<std::pair<int, int>> known;
+    for (const auto& pair : find_touching(mesh_, faces)) {
+      const int a = mesh_.regions[pair.a.element], b = mesh_.regions[pair.b.element];
+      if (!known.insert(std::minmax(a, b)).second) continue;
+      complaints_.add(a < static_cast<int>(declared_.size()) ? declared_[a] : Where{},
+                      name(pair.a.element) + ": touches " + name(pair.b.element) +
+                          " without sharing its nodes, so nothing would hold them together; give both meshes the same "
+                          "divisions where they meet");
+    }
   }
 
   /// A free quad and a free triangle on three of its nodes: two element shapes meet that do not fit together.

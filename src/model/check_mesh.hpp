@@ -8,7 +8,7 @@ namespace ashlar {
 
 /// Rejects what no element can be computed with (numerics 2): coordinates that are not finite, repeated nodes in an
 /// element, non-positive Jacobian at a Gauss point or corner, two elements on the same corners, elements that overlap
-/// across a face, nodes in no element, faces that touch but are cut differently (quad on triangles).
+/// across a face, nodes in no element, faces that touch but are divided differently.
 /// @param declared [regions] the declaration that made each region, for messages
 /// Throws DeckError with every complaint found (ten of a kind, then their count).
 void check_mesh(const Mesh& mesh, const std::vector<Where>& declared);

@@ -239,6 +239,17 @@ TEST(mesher, element_shapes_that_do_not_fit_together_are_an_error) {
   EXPECT_SAYS(complaint([&] { build_mesh(model); }), "give both regions the same elements");
 }
 
+TEST(mesher, bodies_that_touch_without_sharing_nodes_are_an_error) {
+  Model model;
+  model.boxes = {box("a", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}, Shape::hex8),
+                 box("b", {1, 0, 0}, {2, 1, 1}, {2, 3, 2}, Shape::hex8)};
+  EXPECT_SAYS(complaint([&] { build_mesh(model); }),
+              "dam.lua:1: hex8 element 2 of region 'a' at (0.75, 0.25, 0.25): touches hex8 element 1 of region 'b'");
+  model.boxes[1].from[0] = 1.01;
+  build_mesh(model);
+  EXPECT_NEAR(all_volume(model.mesh), 1.99, 1e-12);
+}
+
 TEST(mesher, wedges_beside_hexahedra_fit_along_the_sides_of_a_section) {
   auto model = dam_on_rock();
   model.extrudes[1].shape = Shape::wedge6;

@@ -121,8 +121,11 @@ Model imported_dam() {
   auto source = dam_on_rock();
   build_mesh(source);
   Model model;
-  model.imports = {{"", {"dam.lua", 2}, "dam.msh", source.mesh}};
-  auto& mesh = model.imports[0].mesh;
+  auto& import = model.imports.emplace_back();
+  import.where = {"dam.lua", 2};
+  import.file = "dam.msh";
+  import.mesh = source.mesh;
+  auto& mesh = import.mesh;
   const auto end = std::partition(mesh.surfaces.begin(), mesh.surfaces.end(),
                                   [](const Surface& s) { return s.name == "dam.left" || s.name == "rock.bottom"; });
   mesh.surfaces.erase(end, mesh.surfaces.end());
