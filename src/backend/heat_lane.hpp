@@ -13,6 +13,14 @@
 
 namespace ashlar {
 
+/// The thermal kernels of one element type.
+template <template <class> class E, class Real>
+struct HeatKernels {
+  using Flow = HeatFlow<E, Real>;
+  using Bound = HeatBound<E, Real>;
+  using Gauss = GaussTemperature<E, Real>;
+};
+
 /// The thermal lane in a machine's memory and its phases; shares nothing with the mechanical lane but the Gauss-point
 /// warming that it hands over.
 template <class Exec, class Real>
@@ -94,14 +102,6 @@ class HeatLane {
  private:
   template <class T>
   using Array = typename Exec::template Array<T>;
-  /// The kernels of one element type.
-  template <template <class> class E>
-  struct KernelsOf {
-    using Flow = HeatFlow<E, Real>;
-    using Bound = HeatBound<E, Real>;
-    using Gauss = GaussTemperature<E, Real>;
-  };
-
   int node_count() const { return view_.nodes.node_count; }
   int chunks() const { return (discretisation_.heat.node_count + chunk_nodes - 1) / chunk_nodes; }
 
@@ -112,9 +112,9 @@ class HeatLane {
       const BatchView batch{b.element_count, b.first_slot, b.first_gauss};
       const Real conductivity = Real(conductivity_[b.material]);
       switch (b.shape) {
-        case Shape::hex8: work(KernelsOf<Hex8>{}, batch, conductivity); break;
-        case Shape::wedge6: work(KernelsOf<Wedge6>{}, batch, conductivity); break;
-        case Shape::tet4: work(KernelsOf<Tet4>{}, batch, conductivity); break;
+        case Shape::hex8: work(HeatKernels<Hex8, Real>{}, batch, conductivity); break;
+        case Shape::wedge6: work(HeatKernels<Wedge6, Real>{}, batch, conductivity); break;
+        case Shape::tet4: work(HeatKernels<Tet4, Real>{}, batch, conductivity); break;
       }
     }
   }

@@ -13,20 +13,6 @@ std::vector<int> material_indices(const Model& model) {
   return indices;
 }
 
-std::unique_ptr<Backend> make_backend(const Problem& problem, const RunOptions& options) {
-  Setup setup{problem.discretisation, problem.contacts, {}, {}};
-  for (const Material& m : problem.model.materials) {
-    setup.laws.push_back(make_block_law(m.law, m.values));
-    setup.conductivity.push_back(m.conductivity.value_or(0));
-  }
-  setup.reference_temperature = problem.model.reference_temperature;
-  for (const Interface& i : problem.model.interfaces) {
-    const std::string what = std::string(i.crackable ? "crackable" : "joint") + " '" + i.name + "'";
-    setup.interface_laws.push_back(interface_constants(i.law, i.values, i.where, what).law);
-  }
-  return make_cpu_backend(setup, options.precision, options.threads);
-}
-
 }  // namespace
 
 Problem::Problem(const Model& m, const RunOptions& options)
@@ -36,7 +22,21 @@ Problem::Problem(const Model& m, const RunOptions& options)
       discretisation(
           discretise(m.mesh, blocks, material_indices(m),
                      options.precision == Precision::double_precision ? patch_size_double : patch_size_single)),
-      backend(make_backend(*this, options)) {}
+      backend(make_cpu_backend(setup(), options.precision, options.threads)) {}
+
+Setup Problem::setup() const {
+  Setup setup{discretisation, contacts, {}, {}};
+  for (const Material& m : model.materials) {
+    setup.laws.push_back(make_block_law(m.law, m.values));
+    setup.conductivity.push_back(m.conductivity.value_or(0));
+  }
+  setup.reference_temperature = model.reference_temperature;
+  for (const Interface& i : model.interfaces) {
+    const std::string what = std::string(i.crackable ? "crackable" : "joint") + " '" + i.name + "'";
+    setup.interface_laws.push_back(interface_constants(i.law, i.values, i.where, what).law);
+  }
+  return setup;
+}
 
 std::vector<double> Problem::to_machine(const std::vector<double>& block_order, int width) const {
   std::vector<double> machine(block_order.size());

@@ -26,6 +26,9 @@ struct Problem {
   /// `model` has its mesh and outlives the problem. Throws DeckError.
   Problem(const Model& model, const RunOptions& options);
 
+  /// What any machine's backend is built from.
+  Setup setup() const;
+
   /// Vectors of `width` numbers per block node, between the order of Blocks and the machine's.
   std::vector<double> to_machine(const std::vector<double>& block_order, int width) const;
   std::vector<double> to_blocks(const std::vector<double>& machine_order, int width) const;

@@ -144,6 +144,7 @@ void Recorder::history_rows(const Moment& moment) {
     HistoryTable::Row row{problem_.model.stages[moment.stage].name, moment.time, moment.load_factor, {}};
     add_values(probes_[h], row.values);
     tables_[h].rows.push_back(std::move(row));
+    observer_.history_row(tables_[h]);
   }
 }
 

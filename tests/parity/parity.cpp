@@ -1,0 +1,198 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "io/mesh_file.hpp"
+#include "model/loads.hpp"
+#include "solve/problem.hpp"
+#include "solve/stage_conditions.hpp"
+#ifdef ASHLAR_HAS_CUDA
+#include "cuda_backend.hpp"
+#endif
+
+/// Parity: the same bits on every machine and with every number of threads. An equality test, not a tolerance.
+namespace ashlar {
+namespace {
+
+enum class Blocks { continuous, exploded, cracked };
+
+Condition condition(const char* noun, const char* surface, Condition::Kind kind) {
+  Condition c;
+  c.noun = noun;
+  if (surface) c.surfaces = {surface};
+  c.kind = std::move(kind);
+  return c;
+}
+
+/// Dam D0 with gravity and water; as one body, or as one block an element with bonded or with sliding contacts.
+Model dam(const char* file, Blocks blocks) {
+  Model m;
+  m.mesh = read_mesh(std::string(ASHLAR_TEST_DATA) + "/" + file, {});
+  m.reference_temperature = 15;
+  Material rock{"rock", {},  {"rock"}, "elastic",
+                2650,   3.0, 850.0,    {{"young", 30e9}, {"poisson", 0.25}, {"expansion", 8e-6}}};
+  Material concrete{"concrete", {},  {"concrete"}, "elastic",
+                    2400,       2.7, 960.0,        {{"young", 20e9}, {"poisson", 0.2}, {"expansion", 1e-5}}};
+  m.materials = {rock, concrete};
+  m.conditions = {condition("gravity", nullptr, Gravity{{0, 0, -9.81}}),
+                  condition("water_pressure", "up_wet", WaterPressure{55}),
+                  condition("fix", "bottom", Fix{true, true, true, false}),
+                  condition("fix", "xside", Fix{true, false, false, false}),
+                  condition("fix", "yside", Fix{false, true, false, false})};
+  if (blocks != Blocks::continuous) {
+    Interface i;
+    i.name = "all";
+    i.crackable = true;
+    i.regions = {"rock", "concrete"};
+    i.law = blocks == Blocks::exploded ? "brittle" : "frictional";
+    i.values = {{"friction", 0.7}};
+    if (blocks == Blocks::exploded) {
+      i.values["tensile_strength"] = 1e6;
+      i.values["cohesion"] = 2e6;
+    }
+    m.interfaces = {i};
+  }
+  m.stages.resize(1);
+  m.stages[0].name = "gravity";
+  return m;
+}
+
+/// Bit patterns; doubles that hold widened floats compare the same way.
+void expect_same_bits(const std::vector<double>& a, const std::vector<double>& b, const char* what) {
+  ASSERT_EQ(a.size(), b.size());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) different += std::memcmp(&a[i], &b[i], sizeof a[i]) != 0;
+  EXPECT_EQ(different, 0u) << what << ": " << different << " of " << a.size() << " numbers differ";
+}
+
+/// Set-up, every mechanical phase for `steps` steps, stress, strength; heat steps and the warming that they leave.
+struct Outcome {
+  std::vector<double> stiffness, displacement, velocity, force, slip, state, utilisation, stress, temperature, warming,
+      sums;
+};
+Outcome march(const Problem& p, Backend& b, int steps) {
+  Outcome out;
+  const MechanicalConditions conditions = mechanical_conditions(p, 0);
+  b.write(Field::load, p.to_machine(conditions.load, 3));
+  b.write(Field::fixed, p.to_machine(conditions.fixed, 1));
+  b.run(Phase::stiffness_bound);
+  out.stiffness = b.read(Field::stiffness);
+  std::vector<double> inverse_mass = out.stiffness;
+  for (double& m : inverse_mass) m = 1 / (0.5 * m);
+  b.write(Field::inverse_mass, inverse_mass);
+
+  std::vector<double> temperature(p.discretisation.heat_points.size());
+  for (std::size_t n = 0; n < temperature.size(); ++n) {
+    const auto& x = p.discretisation.heat_points[n];
+    temperature[n] = 15 + 10 * std::sin(0.05 * x.x) - 0.1 * x.z;
+  }
+  b.write(Field::temperature, temperature);
+  std::vector<double> inverse_capacity =
+      p.discretisation.batches.empty() ? std::vector<double>{} : std::vector<double>(temperature.size());
+  const std::vector<double> capacity = lumped_capacity(p.model, p.model.mesh.corners, p.model.mesh.node_count());
+  for (std::size_t n = 0; n < capacity.size(); ++n)
+    inverse_capacity[p.discretisation.heat.new_node[n]] = 1 / capacity[n];
+  b.write(Field::inverse_capacity, inverse_capacity);
+  Controls heat;
+  heat.time_step = 3600;
+  for (int step = 0; step < steps; ++step) {
+    b.run(Phase::heat_flow);
+    b.run(Phase::step_heat, heat);
+  }
+  b.run(Phase::gauss_temperature);
+  b.use_warming(true);
+  out.temperature = b.read(Field::temperature);
+  out.warming = b.read(Field::warming);
+
+  Controls controls;
+  controls.local_damping = 0.3;
+  controls.viscous_damping = 0.1;
+  for (int step = 0; step < steps; ++step) {
+    b.run(Phase::block_force);
+    b.run(Phase::gather_force);
+    b.run(Phase::spring_force);
+    if (step + 2 == steps) b.run(Phase::keep_force);
+    if (step + 1 == steps) {
+      const RelaxationMeasure m = b.relaxation_sums();
+      out.sums = {m.unbalanced, m.load, m.reaction, m.kinetic, m.load_work, m.force_work, m.curvature, m.motion};
+    }
+    b.run(Phase::move_nodes, controls);
+  }
+  b.run(Phase::spring_utilisation);
+  b.run(Phase::block_stress);
+  out.displacement = b.read(Field::displacement);
+  out.velocity = b.read(Field::velocity);
+  out.force = b.read(Field::force);
+  out.slip = b.read(Field::slip);
+  out.state = b.read(Field::contact_state);
+  out.utilisation = b.read(Field::utilisation);
+  out.stress = b.read(Field::stress);
+  return out;
+}
+
+void expect_same(const Outcome& a, const Outcome& b) {
+  expect_same_bits(a.stiffness, b.stiffness, "stiffness bound");
+  expect_same_bits(a.displacement, b.displacement, "displacement");
+  expect_same_bits(a.velocity, b.velocity, "velocity");
+  expect_same_bits(a.force, b.force, "force");
+  expect_same_bits(a.slip, b.slip, "slip");
+  expect_same_bits(a.state, b.state, "contact state");
+  expect_same_bits(a.utilisation, b.utilisation, "utilisation");
+  expect_same_bits(a.stress, b.stress, "stress");
+  expect_same_bits(a.temperature, b.temperature, "temperature");
+  expect_same_bits(a.warming, b.warming, "warming");
+  expect_same_bits(a.sums, b.sums, "relaxation sums");
+}
+
+class Parity : public testing::TestWithParam<std::tuple<Precision, Blocks, const char*>> {
+ protected:
+  static constexpr int steps = 100;
+  Parity()
+      : model_(dam(std::get<2>(GetParam()), std::get<1>(GetParam()))), problem_(model_, {std::get<0>(GetParam()), 1}) {}
+  Outcome on_one_thread() { return march(problem_, *problem_.backend, steps); }
+  Model model_;
+  Problem problem_;
+};
+
+TEST_P(Parity, EveryNumberOfThreadsGivesTheSameBits) {
+  const Outcome one = on_one_thread();
+  double moved = 0;
+  for (const double u : one.displacement) moved = std::max(moved, std::abs(u));
+  EXPECT_GT(moved, 1e-6) << "nothing moved: the comparison would be empty";
+  for (const int threads : {2, 3}) {
+    const auto backend = make_cpu_backend(problem_.setup(), std::get<0>(GetParam()), threads);
+    expect_same(one, march(problem_, *backend, steps));
+  }
+}
+
+TEST_P(Parity, AnNvidiaDeviceGivesTheSameBits) {
+#ifdef ASHLAR_HAS_CUDA
+  if (cuda_device_count() == 0) GTEST_SKIP() << "no NVIDIA device here";
+  const auto backend = make_cuda_backend(problem_.setup(), std::get<0>(GetParam()), 0);
+  const Outcome device = march(problem_, *backend, steps);
+  const Outcome cpu = on_one_thread();
+  expect_same(cpu, device);
+  std::printf("  %s: %zu displacements, %zu stresses, %zu temperatures compared bit by bit after %d steps\n",
+              backend->name().c_str(), cpu.displacement.size(), cpu.stress.size(), cpu.temperature.size(), steps);
+#else
+  GTEST_SKIP() << "built without CUDA";
+#endif
+}
+
+std::string case_name(const testing::TestParamInfo<Parity::ParamType>& info) {
+  const auto [precision, blocks, file] = info.param;
+  std::string name = precision == Precision::double_precision ? "double" : "single";
+  name += blocks == Blocks::continuous ? "_continuous" : blocks == Blocks::exploded ? "_exploded" : "_sliding";
+  name += std::string(file).find("r2") != std::string::npos ? "_r2" : "_r1";
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(DamD0, Parity,
+                         testing::Combine(testing::Values(Precision::double_precision, Precision::single_precision),
+                                          testing::Values(Blocks::continuous, Blocks::exploded, Blocks::cracked),
+                                          testing::Values("dam_D0_r1_ny2.msh", "dam_D0_r2_ny4.msh")),
+                         case_name);
+
+}  // namespace
+}  // namespace ashlar
