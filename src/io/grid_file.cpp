@@ -137,15 +137,15 @@ GridFile::GridFile(const std::string& folder, const std::string& name, const Gri
   file_.flush();
 }
 
-void GridFile::append(const Moment& moment, const std::vector<const void*>& data) {
+void GridFile::append(const GridStep& step, const std::vector<const void*>& data) {
   if (data.size() != varying_.size()) throw std::logic_error("GridFile::append: one array of data for every array");
-  const std::string group = step_group(moments_.size() + 1);
+  const std::string group = step_group(steps_.size() + 1);
   file_.group(group);
-  file_.attribute(group, "stage", moment.stage);
-  file_.attribute(group, "stage_number", std::int64_t{moment.stage_number});
-  file_.attribute(group, "time", moment.time);
-  file_.attribute(group, "load_factor", moment.load_factor);
-  file_.attribute(group, "stage_end", std::int64_t{moment.stage_end});
+  file_.attribute(group, "stage", step.stage);
+  file_.attribute(group, "stage_number", std::int64_t{step.stage_number});
+  file_.attribute(group, "time", step.time);
+  file_.attribute(group, "load_factor", step.load_factor);
+  file_.attribute(group, "stage_end", std::int64_t{step.stage_end});
 
   const auto append_integer = [&](const std::string& dataset, std::int64_t value) {
     file_.append(dataset, H5T_NATIVE_INT64, &value, 1);
@@ -161,9 +161,9 @@ void GridFile::append(const Moment& moment, const std::vector<const void*>& data
   for (const char* offsets : {"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"})
     append_integer(std::string("/VTKHDF/Steps/") + offsets, 0);
   append_integer("/VTKHDF/Steps/NumberOfParts", 1);
-  file_.append("/VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE, &moment.position, 1);
-  moments_.push_back(moment);
-  file_.attribute("/VTKHDF/Steps", "NSteps", static_cast<std::int64_t>(moments_.size()));
+  file_.append("/VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE, &step.time, 1);
+  steps_.push_back(step);
+  file_.attribute("/VTKHDF/Steps", "NSteps", static_cast<std::int64_t>(steps_.size()));
   file_.flush();
   write_xdmf();
 }
@@ -195,9 +195,9 @@ void GridFile::write_xdmf() const {
       "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n"
       "    <Grid Name=\"" +
       escaped(name_) + "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  for (std::size_t s = 0; s < moments_.size(); ++s) {
-    text += "      <Grid Name=\"" + escaped(moments_[s].stage) + "\" GridType=\"Uniform\">\n        <Time Value=\"" +
-            shortest(moments_[s].position) + "\"/>\n" + mesh;
+  for (std::size_t s = 0; s < steps_.size(); ++s) {
+    text += "      <Grid Name=\"" + escaped(steps_[s].stage) + "\" GridType=\"Uniform\">\n        <Time Value=\"" +
+            shortest(steps_[s].time) + "\"/>\n" + mesh;
     for (const auto& array : fixed_) text += xdmf_item(path_of(array), array);
     for (const auto& array : varying_) text += xdmf_item(step_group(s + 1) + "/" + array.name, array);
     text += "      </Grid>\n";

@@ -29,18 +29,18 @@ struct GridArray {
   std::vector<std::string> labels = {};  ///< names of the components, or of the values of an integer array
 };
 
-/// One moment that arrays are written at.
-struct Moment {
-  double position = 0;  ///< the file's time axis; grows from moment to moment
+/// When arrays are written.
+struct GridStep {
+  double time = 0;  ///< grows from step to step
   std::string stage;
   int stage_number = 0;
-  double time = 0, load_factor = 0;
+  double load_factor = 0;
   bool stage_end = true;
 };
 
 /// A grid with arrays over time: NAME.vtkhdf (HDF5 in VTKHDF layout 2.0, temporal unstructured grid) and NAME.xdmf
 /// beside it, which shows the same bytes to readers that know no VTKHDF, through virtual datasets /Steps/00001/ARRAY.
-/// Both are complete after every append. Every group /Steps/00001 carries the attributes of its Moment. Throws
+/// Both are complete after every append. Every group /Steps/00001 carries the attributes of its GridStep. Throws
 /// ResourceError if the disk does not take the data.
 class GridFile {
  public:
@@ -50,7 +50,7 @@ class GridFile {
            const std::vector<std::pair<GridArray, std::vector<int>>>& fixed, const std::vector<GridArray>& varying);
 
   /// `data` is parallel to `varying`: each points at components * points (or cells) values of the array's type.
-  void append(const Moment& moment, const std::vector<const void*>& data);
+  void append(const GridStep& step, const std::vector<const void*>& data);
 
   std::vector<std::string> file_names() const { return {name_ + ".vtkhdf", name_ + ".xdmf"}; }
 
@@ -63,7 +63,7 @@ class GridFile {
   hdf5::File file_;
   std::size_t point_count_, cell_count_, topology_size_ = 0;
   std::vector<GridArray> fixed_, varying_;
-  std::vector<Moment> moments_;
+  std::vector<GridStep> steps_;
 };
 
 }  // namespace ashlar

@@ -1,7 +1,9 @@
 #include "io/result_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
+#include <limits>
 #include <stdexcept>
 
 namespace ashlar {
@@ -117,8 +119,12 @@ std::vector<std::string> names_of(const std::vector<GridArray>& arrays) {
   return names;
 }
 
-/// The values of a snapshot, or `initial` for a field that no stage has computed yet: temperature of a model without
-/// heat, everything else before the first mechanical stage.
+bool finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+/// The values of a snapshot, or what ResultFile::append promises for a field that no stage has computed yet:
+/// temperature of a model without heat, everything else before the first mechanical stage.
 class Values {
  public:
   explicit Values(const Snapshot& snapshot, double reference_temperature)
@@ -129,6 +135,8 @@ class Values {
     const bool is_temperature = field.values == &Snapshot::temperature;
     if (values.empty() && (is_temperature || snapshot_.displacement.empty()))
       return filled_.emplace_back(size, is_temperature ? reference_temperature_ : 0.0);
+    if (values.empty() && !finite(snapshot_.displacement))
+      return filled_.emplace_back(size, std::numeric_limits<double>::quiet_NaN());
     if (values.size() != size)
       throw std::logic_error("output of field '" + field.array.name + "': " + std::to_string(values.size()) +
                              " values in the snapshot, expected " + std::to_string(size));
@@ -175,26 +183,10 @@ ResultFile::ResultFile(const std::string& folder, const std::string& program, co
     interfaces_.emplace(make_interfaces(folder, program, model, blocks, contacts));
 }
 
-double ResultFile::position(const Snapshot& snapshot) const {
-  if (snapshot.stage_end) return snapshot.stage_number;
-  double fraction = snapshot.load_factor;
-  const auto index = static_cast<std::size_t>(snapshot.stage_number - 1);
-  if (index < model_.stages.size())
-    if (const auto* thermal = std::get_if<ThermalSolve>(&model_.stages[index].solve); thermal && thermal->duration > 0)
-      fraction = snapshot.time / thermal->duration;
-  return snapshot.stage_number - 1 + std::clamp(fraction, 0.0, 1.0);
-}
-
 void ResultFile::append(const Snapshot& snapshot) {
-  // Two outputs of one moment (the last increment and the end of its stage) stay apart and in order.
-  const double apart = last_position_ == 0 ? 0 : last_position_ + 1e-6;
-  const Moment moment{std::max(position(snapshot), apart),
-                      snapshot.stage,
-                      snapshot.stage_number,
-                      snapshot.time,
-                      snapshot.load_factor,
-                      snapshot.stage_end};
-  last_position_ = moment.position;
+  // Two outputs of one time (the last increment and the end of its stage) stay apart and in order.
+  last_time_ = snapshot.time > last_time_ ? snapshot.time : last_time_ + 1e-6;
+  const GridStep step{last_time_, snapshot.stage, snapshot.stage_number, snapshot.load_factor, snapshot.stage_end};
 
   Values values(snapshot, model_.reference_temperature);
   std::vector<const void*> data;
@@ -203,7 +195,7 @@ void ResultFile::append(const Snapshot& snapshot) {
       const std::size_t rows = field.array.on_points ? node_count_ : model_.mesh.shapes.size();
       data.push_back(values(field, rows * field.array.components).data());
     }
-  results_.append(moment, data);
+  results_.append(step, data);
   if (!interfaces_) return;
 
   const std::size_t contact_count = node_a_.size();
@@ -227,7 +219,7 @@ void ResultFile::append(const Snapshot& snapshot) {
       throw std::logic_error("output of field 'state': wrong number of contact points");
     data.push_back(state.data());
   }
-  interfaces_->append(moment, data);
+  interfaces_->append(step, data);
 }
 
 std::vector<std::string> ResultFile::file_names() const {

@@ -32,13 +32,11 @@ class ResultFile {
   ResultFile(const std::string& folder, const std::string& program, const Model& model, const Blocks& blocks,
              const ContactPoints& contacts);
 
-  /// Before the first mechanical stage (a snapshot without displacement) mechanical fields are zero.
-  /// Throws std::logic_error if another recorded field is missing in the snapshot or has the wrong size.
+  /// The files' time axis is the snapshot's time: stages done, with the fraction of the present one.
+  /// Before the first mechanical stage (a snapshot without displacement) mechanical fields are zero; in a state that is
+  /// not finite, fields that the solver left out are not-a-number. Throws std::logic_error if another recorded field is
+  /// missing in the snapshot or has the wrong size.
   void append(const Snapshot& snapshot);
-
-  /// Where outputs stand on the time axis of the files. Stage k fills (k-1, k]: k at its end, before it by load factor
-  /// or by time over duration, so that the axis grows through stages whose own times are not comparable.
-  double position(const Snapshot& snapshot) const;
 
   std::vector<std::string> file_names() const;
 
@@ -49,7 +47,7 @@ class ResultFile {
   std::vector<std::string> result_arrays_, interface_arrays_;
   GridFile results_;
   std::optional<GridFile> interfaces_;
-  double last_position_ = 0;
+  double last_time_ = -1;
 };
 
 }  // namespace ashlar
