@@ -36,6 +36,7 @@ bool finite(const std::vector<double>& values) {
 
 Recorder::Recorder(const Problem& problem, Observer& observer) : problem_(problem), observer_(observer) {
   reference_displacement_.assign(3 * static_cast<std::size_t>(problem.blocks.node_count()), 0);
+  surface_load_ = reference_displacement_;
   for (const History& h : problem.model.histories) {
     Probe probe{&h, {}, {}};
     if (h.at) {
