@@ -40,6 +40,7 @@ class ModelCheck {
     complaints_.raise();
     // What follows needs every name to be right.
     idle_conditions();
+    functions();
     supports();
     complaints_.raise();
   }
@@ -168,7 +169,7 @@ class ModelCheck {
     for (const auto& p : model_.pictures) {
       const std::string who = title("picture", p.name);
       if (!p.stage.empty()) stage(p.stage, p.where, who);
-      std::vector<std::string> needed{p.of == "cracks" ? "broken" : p.of.substr(0, p.of.find('.'))};
+      std::vector<std::string> needed{p.of.substr(0, p.of.find('.'))};
       if (p.deform > 0 && needed[0] != "displacement") needed.push_back("displacement");
       for (const auto& field : needed)
         if (!written.empty() && std::find(written.begin(), written.end(), field) == written.end())
@@ -196,6 +197,24 @@ class ModelCheck {
     if (std::holds_alternative<InitialTemperature>(c.kind) || std::holds_alternative<TemperatureField>(c.kind))
       return true;
     return thermal_boundary(c) != is_mechanical(stage);
+  }
+
+  /// Asks every function of position once: most mistakes show at the first point.
+  void functions() {
+    for (const auto& c : model_.conditions) {
+      const Surface* surface = c.surfaces.empty() ? nullptr : model_.mesh.find_surface(c.surfaces[0]);
+      const Vec3<double> point = surface ? model_.mesh.facet_centroid(surface->facets[0]) : model_.mesh.points[0];
+      const auto ask = [&](const Value& value) { collect([&] { value(point); }); };
+      if (const auto* d = std::get_if<Displacement>(&c.kind))
+        for (const auto* value : {&d->x, &d->y, &d->z})
+          if (*value) ask(**value);
+      if (const auto* t = std::get_if<Traction>(&c.kind)) ask(t->x), ask(t->y), ask(t->z);
+      if (const auto* t = std::get_if<FixedTemperature>(&c.kind)) ask(t->value);
+      if (const auto* t = std::get_if<Convection>(&c.kind)) ask(t->ambient);
+      if (const auto* f = std::get_if<Flux>(&c.kind)) ask(f->value);
+      if (const auto* t = std::get_if<InitialTemperature>(&c.kind)) ask(t->value);
+      if (const auto* t = std::get_if<TemperatureField>(&c.kind)) ask(t->value);
+    }
   }
 
   /// Bodies that a stage leaves free, and steady heat without a given temperature.

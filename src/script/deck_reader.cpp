@@ -36,6 +36,28 @@ std::string unit_name(const Quantity& unit) {
   return unit.dimension ? unit_symbol(*unit.dimension, unit.celsius) : "";
 }
 
+/// Names in expects: histories, their columns, stages.
+void check_expects(const Deck& deck) {
+  const auto names = [](const auto& items) {
+    std::vector<std::string> all;
+    for (const auto& item : items) all.push_back(item.name);
+    return all;
+  };
+  const auto check = [&](const Expect& e, const char* what, const std::string& name,
+                         const std::vector<std::string>& valid) {
+    if (std::find(valid.begin(), valid.end(), name) == valid.end())
+      deck.sandbox->complaints.add(
+          e.where, "expect '" + e.name + "': there is no " + what + " '" + name + "'" + suggest_name(name, valid));
+  };
+  for (const auto& e : deck.expects) {
+    if (!e.stage.empty()) check(e, "stage", e.stage, names(deck.model.stages));
+    if (e.history.empty()) continue;
+    check(e, "history", e.history, names(deck.model.histories));
+    for (const auto& h : deck.model.histories)
+      if (h.name == e.history) check(e, "component", e.component, columns_of(h));
+  }
+}
+
 }  // namespace
 
 DeckReader::DeckReader(Deck& deck, const std::map<std::string, std::string>& settings)
@@ -284,6 +306,7 @@ int DeckReader::table_read(lua_State* L) {
 
 void DeckReader::finish() {
   Complaints& complaints = deck_.sandbox->complaints;
+  check_expects(deck_);
   for (const auto& [id, call] : open_)
     complaints.add(call.second, call.first + ": no table follows the name; write { ... } after it");
   const std::vector<std::string> names(argument_names_.begin(), argument_names_.end());

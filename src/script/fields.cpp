@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/nearest_name.hpp"
 
@@ -137,13 +138,13 @@ class FieldReader {
         present(rule, lua_gettop(L_));
       lua_pop(L_, 1);
     }
-    if (law)
-      for (const auto& key : law->keys)
-        if (fields_.has(key.name)) fields_.law_values[key.name] = fields_.number(key.name);
     std::stable_sort(found_.begin(), found_.end(),
                      [](const auto& a, const auto& b) { return a.first.line < b.first.line; });
     for (const auto& [where, message] : found_) sandbox_.complaints.add(where, message);
     if (!found_.empty()) return std::nullopt;
+    if (law)
+      for (const auto& key : law->keys)
+        if (fields_.has(key.name)) fields_.law_values[key.name] = fields_.number(key.name);
     return fields_;
   }
 
@@ -178,6 +179,7 @@ class FieldReader {
         complain(key, "key '" + key + "' does not belong to law \"" + law->name + "\" but to " + owners);
       } else {
         complain(key, "unknown key '" + key + "'" + suggest_name(key, valid));
+        misspelt_.insert(nearest_name(key, valid));
       }
     }
   }
@@ -190,6 +192,7 @@ class FieldReader {
 
   void absent(const KeyRule& rule) {
     if (rule.required) {
+      if (misspelt_.contains(rule.name)) return;
       const std::string unit = unit_symbol(rule.dimension, rule.dimension == dimension::temperature);
       std::string what = rule.choices.empty() ? rule.doc : "one of " + list(rule.choices);
       complain("", "missing '" + rule.name + "'" + (unit.empty() ? "" : " [" + unit + "]") + ": " + what);
@@ -407,6 +410,7 @@ class FieldReader {
   const NounRule& noun_;
   const std::string name_;
   Fields fields_;
+  std::set<std::string> misspelt_;  ///< keys that a wrong one was probably meant to be
   std::vector<std::pair<Where, std::string>> found_;
 };
 

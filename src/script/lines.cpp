@@ -136,6 +136,14 @@ DeckLines::DeckLines(const std::string& text) {
       // noun {, noun "name" {, noun ({, noun "name" ({
       std::size_t before = i;
       if (before > 0 && is(before - 1, "(")) --before;
+      // noun("name" .. i) {
+      if (before > 0 && is(before - 1, ")")) {
+        int open = 0;
+        do {
+          --before;
+          open += is(before, ")") - is(before, "(");
+        } while (open > 0 && before > 0);
+      }
       std::string name;
       if (before > 0 && tokens[before - 1].kind == Token::text) name = tokens[--before].value;
       Frame opened;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "base/nearest_name.hpp"
 #include "script/deck_reader.hpp"
@@ -289,7 +290,10 @@ int add_to_deck(Deck& deck, std::vector<Solve>& solves, const NounRule& noun, co
   } else if (noun.name == "output") {
     model.outputs.push_back({name, f.where, f.texts("record"), f.text("at") == "increment" ? f.integer("every") : 0});
   } else if (noun.name == "picture") {
-    model.pictures.push_back({name, f.where, f.text("of"), f.text("stage"), f.number("deform"), f.text("section")});
+    const std::string section = f.text("section");
+    if (f.has("section") && !std::regex_match(section, std::regex("[xyz](=-?[0-9.]+(e-?[0-9]+)?)?")))
+      call.complain("section", "'section' is \"" + section + "\"; expected \"y\" or a place such as \"y=3.5\"");
+    model.pictures.push_back({name, f.where, f.text("of"), f.text("stage"), f.number("deform"), section});
   }
   return 0;
 }

@@ -174,6 +174,7 @@ std::string dimension_advice(const Dimension& dimension) {
 }
 
 std::string decimal_text(double value) {
+  if (std::isnan(value)) return "nan";
   char buffer[40];
   for (int digits = 6; digits <= 17; ++digits) {
     std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);

@@ -71,6 +71,11 @@ std::vector<std::string> recorded_names(bool Recorded::*where) {
     if (r.*where) names.push_back(r.name);
   return names;
 }
+std::vector<std::string> pictured_names() {
+  return {"broken",         "temperature",      "displacement", "displacement.x", "displacement.y",
+          "displacement.z", "principal_stress", "stress.xx",    "stress.yy",      "stress.zz",
+          "stress.xy",      "stress.yz",        "stress.zx"};
+}
 std::vector<std::string> history_names() {
   auto names = recorded_names(&Recorded::at_point);
   for (const auto& name : recorded_names(&Recorded::on_surface)) names.push_back(name);
@@ -80,20 +85,33 @@ std::vector<std::string> history_names() {
 }  // namespace
 
 const std::vector<Recorded>& recorded() {
+  const std::vector<std::string> vector{"x", "y", "z"}, tensor{"xx", "yy", "zz", "xy", "yz", "zx"};
+  constexpr Dimension moment{2, 1, -2, 0};
   static const std::vector<Recorded> all = {
-      {"displacement", "movement since the last reset_displacement", dimension::length, true, false, true},
-      {"temperature", "temperature", dimension::temperature, true, false, true},
-      {"stress", "stress, tension positive", dimension::pressure, true, false, true},
-      {"principal_stress", "principal stresses of the element mean", dimension::pressure, false, false, true},
-      {"opening", "normal gap of interfaces", dimension::length, false, false, true},
-      {"slip", "tangential movement of interfaces", dimension::length, false, false, true},
-      {"traction", "tractions of interfaces", dimension::pressure, false, false, true},
-      {"broken", "interfaces: intact, cracked in tension, cracked in shear", dimension::none, false, false, true},
-      {"reaction", "force of the supports on the surface", dimension::force, false, true, false},
-      {"load", "applied force on the surface", dimension::force, false, true, false},
-      {"load_moment", "moment of the applied force about the origin", Dimension{2, 1, -2, 0}, false, true, false},
+      {"displacement", dimension::length, vector, true, false, true},
+      {"temperature", dimension::temperature, {}, true, false, true},
+      {"stress", dimension::pressure, tensor, true, false, true},
+      {"principal_stress", dimension::pressure, {}, false, false, true},
+      {"opening", dimension::length, {}, false, false, true},
+      {"slip", dimension::length, {}, false, false, true},
+      {"traction", dimension::pressure, {}, false, false, true},
+      {"broken", dimension::none, {}, false, false, true},
+      {"reaction", dimension::force, vector, false, true, false},
+      {"load", dimension::force, vector, false, true, false},
+      {"load_moment", moment, vector, false, true, false},
   };
   return all;
+}
+
+std::vector<std::string> columns_of(const History& history) {
+  std::vector<std::string> columns;
+  for (const auto& name : history.record)
+    for (const auto& r : recorded()) {
+      if (r.name != name) continue;
+      if (r.components.empty()) columns.push_back(name);
+      for (const auto& component : r.components) columns.push_back(name + "." + component);
+    }
+  return columns;
 }
 
 const std::vector<NounRule>& nouns() {
@@ -330,12 +348,12 @@ const std::vector<NounRule>& nouns() {
        .example = R"(output "fields" { record = { "displacement", "stress" }, at = "stage_end" })"},
       {.name = "picture",
        .doc = "A picture that `ashlar plot` draws from the results.",
-       .keys = {key("of", Type::choice, "field to show").of(recorded_names(&Recorded::in_output)).need(),
+       .keys = {key("of", Type::choice, "field to show").of(pictured_names()).need(),
                 key("stage", Type::text, "at the end of this stage; the last one unless given"),
                 number("deform", dimension::none, range::not_negative,
                        "magnification of the displacement; 0: undeformed shape")
                     .otherwise(0),
-                key("section", Type::choice, "cut at mid thickness instead of the surface").of({"y"})},
+                key("section", Type::text, "cut instead of the surface: \"y\" at mid thickness, \"y=3.5\" there")},
        .example = R"(picture "cracks" { of = "broken", deform = 200 })"},
       {.name = "expect",
        .doc = "A statement about the results, checked at the end of a run (exit code 4 if one fails). A history's "

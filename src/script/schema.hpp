@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/key.hpp"
+#include "model/model.hpp"
 
 /// The deck language as data: the one source of validation, of `ashlar help NOUN` and of the tests of both.
 namespace ashlar {
@@ -94,12 +95,15 @@ std::vector<LawDoc> laws_of(const NounRule& noun);
 /// A law's number as a deck key.
 KeyRule rule_of(const Key& key);
 
-/// Names that `record` of a history or output may hold; with the unit of a history column.
+/// Names that `record` of a history or output may hold.
 struct Recorded {
-  std::string name, doc;
+  std::string name;
   Dimension dimension;
+  std::vector<std::string> components;  ///< of a history; empty: one number
   bool at_point, on_surface, in_output;
 };
 const std::vector<Recorded>& recorded();
+/// Columns that a history will have.
+std::vector<std::string> columns_of(const History& history);
 
 }  // namespace ashlar
