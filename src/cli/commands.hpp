@@ -10,5 +10,6 @@ int info_command(const Arguments& arguments);
 int help_command(const Arguments& arguments);
 int version_command(const Arguments& arguments);
 int plot_command(const Arguments& arguments);
+int bench_command(const Arguments& arguments);
 
 }  // namespace ashlar
