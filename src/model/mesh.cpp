@@ -14,12 +14,6 @@ constexpr int wedge_triangles[2][3] = {{0, 2, 1}, {3, 4, 5}};
 constexpr int wedge_quads[3][4] = {{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
 constexpr int tet_faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 
-Vec3<double> mean_of(const std::vector<Vec3<double>>& points, std::span<const int> nodes) {
-  Vec3<double> sum;
-  for (const int n : nodes) sum = sum + points[n];
-  return (1.0 / static_cast<double>(nodes.size())) * sum;
-}
-
 /// A face under the key that both of its owners find: its nodes, sorted, padded with -1.
 struct KeyedFace {
   std::array<int, 4> nodes;
@@ -67,7 +61,12 @@ void Mesh::add_element(Shape shape, std::span<const int> nodes, int region, long
   source_ids.push_back(source_id);
 }
 
-Vec3<double> Mesh::centroid(int e) const { return mean_of(points, element(e)); }
+Vec3<double> Mesh::centroid(int e) const {
+  const auto nodes = element(e);
+  Vec3<double> sum;
+  for (const int n : nodes) sum = sum + points[n];
+  return (1.0 / static_cast<double>(nodes.size())) * sum;
+}
 
 std::vector<int> Mesh::facet_nodes(const Facet& f) const {
   const auto corners_of_element = element(f.element);
@@ -76,13 +75,21 @@ std::vector<int> Mesh::facet_nodes(const Facet& f) const {
   return nodes;
 }
 
-Vec3<double> Mesh::facet_centroid(const Facet& f) const { return mean_of(points, facet_nodes(f)); }
+Vec3<double> Mesh::facet_centroid(const Facet& f) const {
+  const auto corners_of_element = element(f.element);
+  const auto local = face_corners(shapes[f.element], f.face);
+  Vec3<double> sum;
+  for (const int c : local) sum = sum + points[corners_of_element[c]];
+  return (1.0 / static_cast<double>(local.size())) * sum;
+}
 
 Vec3<double> Mesh::facet_area(const Facet& f) const {
-  const auto n = facet_nodes(f);
-  if (n.size() == 3) return 0.5 * cross(points[n[1]] - points[n[0]], points[n[2]] - points[n[0]]);
+  const auto corners_of_element = element(f.element);
+  const auto local = face_corners(shapes[f.element], f.face);
+  const auto point = [&](int i) { return points[corners_of_element[local[i]]]; };
+  if (local.size() == 3) return 0.5 * cross(point(1) - point(0), point(2) - point(0));
   // The integral of n dA over a bilinear quad is half the product of its diagonals, exactly, warped or not.
-  return 0.5 * cross(points[n[2]] - points[n[0]], points[n[3]] - points[n[1]]);
+  return 0.5 * cross(point(2) - point(0), point(3) - point(1));
 }
 
 double Mesh::extent() const {
