@@ -5,19 +5,17 @@
 /// atomics.
 namespace ashlar {
 
-/// One contact point -> its force; moves its slip (numerics 5).
+/// One contact point -> its force (numerics 5). Slip stays as it was at the last kept equilibrium: during a relaxation
+/// the traction depends on the present gap alone, so overshoot leaves no trace and the equilibrium does not depend on
+/// damping.
 template <class Real>
 struct SpringForce {
   SpringView<Real> springs;
   const Real* u;  ///< [3 * block nodes] m
 
   ASHLAR_HD void operator()(int c) const {
-    const auto answer = springs.answer(u, c);
-    const Vec3<Real> traction = joined(answer.traction, springs.normal_of(c));
-    for (int i = 0; i < 3; ++i) {
-      springs.slip[3 * c + i] = answer.slip[i];
-      springs.force[3 * c + i] = springs.area[c] * traction[i];
-    }
+    const Vec3<Real> traction = joined(springs.answer(u, c).traction, springs.normal_of(c));
+    for (int i = 0; i < 3; ++i) springs.force[3 * c + i] = springs.area[c] * traction[i];
   }
 };
 

@@ -20,7 +20,7 @@ struct SpringView {
   const int* interface = nullptr;          ///< [contacts], index into laws
   const SpringLaw<Real>* laws = nullptr;
   ContactState* state = nullptr;  ///< [contacts]
-  Real* slip = nullptr;           ///< [3 * contacts] m
+  const Real* slip = nullptr;     ///< [3 * contacts] m, at the last kept equilibrium
   Real* force = nullptr;          ///< [3 * contacts] N, on side a; side b gets the opposite
 
   /// Springs of a node: entries node_first[i] .. node_first[i+1]-1 of node_contact, contacts ascending.

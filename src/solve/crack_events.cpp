@@ -11,7 +11,6 @@ CrackEvents::CrackEvents(const Problem& problem) : problem_(problem), contacts_(
     slides_ = slides_ || !contacts_.law(c).bonded;
   }
   slides_ = slides_ || breakable_;
-  start_account();
 }
 
 double CrackEvents::largest_utilisation() {
@@ -52,20 +51,20 @@ CrackEvent CrackEvents::break_worst_group(double load_factor) {
   return event;
 }
 
-void CrackEvents::start_account() {
-  dissipated_ = 0;
-  booked_slip_.clear();
-  if (!slides_) return;
-  for (const auto& point : contacts_.read()) booked_slip_.push_back(point.slip);
-}
-
-void CrackEvents::book_sliding() {
+void CrackEvents::keep_slip() {
   if (!slides_) return;
   const auto points = contacts_.read();
+  const auto before = problem_.backend->read(Field::slip);
+  std::vector<double> slip(before.size());
   for (std::size_t c = 0; c < points.size(); ++c) {
-    dissipated_ += problem_.contacts.area[c] * dot(points[c].traction.shear, points[c].slip - booked_slip_[c]);
-    booked_slip_[c] = points[c].slip;
+    Vec3<double> slid;
+    for (int i = 0; i < 3; ++i) {
+      slip[3 * c + i] = points[c].slip[i];
+      slid[i] = slip[3 * c + i] - before[3 * c + i];
+    }
+    dissipated_ += problem_.contacts.area[c] * dot(points[c].traction.shear, slid);
   }
+  problem_.backend->write(Field::slip, slip);
 }
 
 const char* crack_direction(const Vec3<double>& normal) {

@@ -27,13 +27,11 @@ class CrackEvents {
   /// Cracks the worst group at the present, converged state, which has to use its strength, and tells what broke.
   CrackEvent break_worst_group(double load_factor);
 
-  /// Books the friction work since the last call: traction now times slip since then. To be called at every equilibrium
-  /// that is kept, so that overshoot inside a relaxation does not count.
-  void book_sliding();
-  /// Sets the account of dissipated energy to zero and takes the present state as its start.
-  void start_account();
+  /// Takes the slip of the present equilibrium as the one to go on from, and books the friction work since the last
+  /// one: traction now times slip since then, never negative.
+  void keep_slip();
 
-  /// J, since start_account: friction work, and spring energy set free by cracking beyond what friction takes over.
+  /// J: friction work, and spring energy set free by cracking beyond what friction takes over.
   double dissipated_energy() const { return dissipated_; }
 
   /// Cracked area in all and by direction, dissipated energy.
@@ -47,7 +45,6 @@ class CrackEvents {
   ContactReader contacts_;
   bool breakable_ = false;
   bool slides_ = false;
-  std::vector<Vec3<double>> booked_slip_;
   double dissipated_ = 0;
 };
 

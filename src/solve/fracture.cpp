@@ -33,6 +33,7 @@ void Fracture::restore(const State& state) {
 }
 
 void Fracture::keep(double factor, bool smooth) {
+  cracks_.keep_slip();
   State now = present(factor);
   if (smooth && !kept_.displacement.empty() && factor > kept_.factor) {
     rate_.resize(now.displacement.size());
@@ -40,7 +41,6 @@ void Fracture::keep(double factor, bool smooth) {
       rate_[i] = (now.displacement[i] - kept_.displacement[i]) / (factor - kept_.factor);
   }
   kept_ = std::move(now);
-  cracks_.book_sliding();
 }
 
 /// Holds every body that nothing keeps in place where it is, so that it takes no further part.
@@ -104,7 +104,7 @@ bool Fracture::settle(double load_factor) {
   if (!relax()) return false;
   while (cracks_.largest_utilisation() >= 1) {
     if (static_cast<long>(events_.size()) >= max_events_) return stop("event limit");
-    cracks_.book_sliding();
+    cracks_.keep_slip();
     events_.push_back(cracks_.break_worst_group(load_factor));
     if (links_.cracked) links_.cracked(events_.back());
     if (!relax()) return false;

@@ -112,5 +112,122 @@ TEST(fracture, P40_a_cooled_column_cracks_near_its_top_first) {
   EXPECT_EQ(result.free_blocks.size(), 0u);
 }
 
+/// Two cubes of 1 m on top of each other with a joint between them; nu = 0.
+Model pair(const std::string& law, std::map<std::string, double> values) {
+  Model model = bar(2, law, std::move(values));
+  model.mesh.region_names = {"lower", "upper"};
+  model.mesh.regions = {0, 1};
+  model.materials[0].regions = {"lower", "upper"};
+  model.interfaces[0].name = "seam";
+  model.interfaces[0].crackable = false;
+  model.interfaces[0].regions = {"lower", "upper"};
+  return model;
+}
+
+/// Gravity as a slope of angle theta feels it.
+Vec3<double> on_slope(double theta) { return {g * std::sin(theta), 0, -g * std::cos(theta)}; }
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+// P34: a block on a slope stays below the friction angle and slides above it.
+TEST(fracture, P34_a_block_on_a_slope_stays_up_to_its_friction_angle) {
+  const auto model = pair("frictional", {{"friction", 30 * degree}});
+  for (const double angle : {29.5, 30.5}) {
+    StaticCase slope(model, {.tolerance = 1e-7, .max_steps = 20000});
+    slope.fix("bottom", 7);
+    slope.gravity(on_slope(angle * degree));
+    Fracture stage(slope.problem(), slope.links(), 0);
+    EXPECT_EQ(stage.settle(1), angle < 30) << angle;
+    EXPECT_EQ(stage.stop_reason(), angle < 30 ? "converged" : "step limit");
+  }
+}
+
+TEST(fracture, sliding_equilibrium_does_not_depend_on_damping) {
+  // The upper block is pushed along the seam by half of what its weight and a load can hold, its foot lifts on one
+  // side.
+  const auto model = pair("frictional", {{"friction", 30 * degree}, {"stiffness_factor", 10}});
+  std::vector<std::vector<double>> answers;
+  for (const Damping damping : {Damping::adaptive, Damping::local}) {
+    StaticCase block(model, {.tolerance = 1e-9, .damping = damping});
+    block.fix("bottom", 7);
+    block.gravity({0, 0, -g});
+    block.pressure("top", {1.5e4, 0, -2e4});
+    Fracture stage(block.problem(), block.links(), 0);
+    ASSERT_TRUE(stage.settle(1)) << stage.stop_reason();
+    answers.push_back(block.displacement());
+    double slid = 0;
+    for (const double slip : block.problem().backend->read(Field::slip)) slid = std::max(slid, std::abs(slip));
+    EXPECT_GT(slid, 1e-8);
+    StageResult result;
+    stage.fill(result);
+    EXPECT_GT(result.dissipated_energy, 0);
+  }
+  double size = 0, apart = 0;
+  for (std::size_t i = 0; i < answers[0].size(); ++i) {
+    size = std::max(size, std::abs(answers[0][i]));
+    apart = std::max(apart, std::abs(answers[0][i] - answers[1][i]));
+  }
+  EXPECT_LT(apart, 1e-6 * size);
+}
+
+TEST(fracture, a_block_that_hangs_on_too_weak_a_joint_falls_free_and_is_listed) {
+  auto model = pair("brittle", {{"tensile_strength", 1e4}, {"cohesion", 1e6}, {"friction", 0.5}});
+  StaticCase hanging(model, {.tolerance = 1e-7, .max_steps = 100000});
+  hanging.fix("top", 7);
+  hanging.gravity({0, 0, -g});  // 23.5 kPa
+  Fracture stage(hanging.problem(), hanging.links(), 100);
+  EXPECT_TRUE(stage.settle(1)) << stage.stop_reason();
+  StageResult result;
+  stage.fill(result);
+  ASSERT_EQ(result.events.size(), 1u);
+  EXPECT_EQ(result.events[0].mode, "tension");
+  EXPECT_EQ(result.free_blocks, std::vector<int>{0});
+  EXPECT_NEAR(result.cracked_area, 1, 1e-12);
+}
+
+TEST(fracture, a_free_block_that_carries_a_load_stops_the_stage) {
+  auto model = pair("brittle", {{"tensile_strength", 1e4}, {"cohesion", 1e6}, {"friction", 0.5}});
+  StaticCase pulled(model, {.tolerance = 1e-7, .max_steps = 100000});
+  pulled.fix("bottom", 7);
+  pulled.pressure("top", {0, 0, 2e4});
+  auto links = pulled.links();
+  links.surface_load = pulled.problem().to_machine(pulled.load(), 3);
+  Fracture stage(pulled.problem(), links, 100);
+  EXPECT_FALSE(stage.settle(1));
+  EXPECT_EQ(stage.stop_reason(), "block free");
+}
+
+TEST(fracture, cracking_in_tension_dissipates_the_energy_of_the_springs) {
+  const double strength = 1.5e6, k_n = 1e11;
+  const auto model = pair("brittle", {{"tensile_strength", strength},
+                                      {"cohesion", 1e7},
+                                      {"friction", 0.7},
+                                      {"normal_stiffness", k_n},
+                                      {"shear_stiffness", k_n}});
+  StaticCase cooled(model, tight);
+  cooled.fix("bottom", 7);
+  cooled.fix("top", 7);
+  auto links = cooled.links();
+  links.set_load_factor = [&](double factor) { cooled.warm(-20 * factor); };
+  Fracture stage(cooled.problem(), links, 100);
+  ASSERT_TRUE(stage.advance(5)) << stage.stop_reason();
+  StageResult result;
+  stage.fill(result);
+  ASSERT_EQ(result.events.size(), 1u);
+  const double energy = strength * strength / (2 * k_n);  // J/m^2 of 1 m^2, at most 0.5 % over-strength
+  EXPECT_GE(result.dissipated_energy, energy);
+  EXPECT_LE(result.dissipated_energy, energy * 1.005 * 1.005);
+}
+
+TEST(fracture, an_event_limit_stops_the_stage) {
+  const auto model = pair("brittle", {{"tensile_strength", 1e4}, {"cohesion", 1e6}, {"friction", 0.5}});
+  StaticCase pulled(model, tight);
+  pulled.fix("bottom", 7);
+  pulled.pressure("top", {0, 0, 2e4});
+  Fracture stage(pulled.problem(), pulled.links(), 0);
+  EXPECT_FALSE(stage.settle(1));
+  EXPECT_EQ(stage.stop_reason(), "event limit");
+}
+
 }  // namespace
 }  // namespace ashlar

@@ -62,7 +62,8 @@ struct SpringAnswer {
 
 /// Bonded: t_n = k_n g_n, t_s = k_s (g_s - slip). Otherwise an open contact carries nothing and forgets its shear (slip
 /// follows the gap); a closed one carries compression with the full k_n and shear up to |t_s| = -t_n tan(phi) (Coulomb
-/// return). Sliding depends on the path: explicit steps move the slip at every step, overshoot included.
+/// return). Sliding depends on the path: `slip` is that of the state to go on from, the answer's slip that of the new
+/// state, one straight step away.
 template <class Real>
 ASHLAR_HD SpringAnswer<Real> spring_traction(bool bonded, Real tan_friction, const SpringStiffness<Real>& stiffness,
                                              const Split<Real>& gap, const Vec3<Real>& slip) {
