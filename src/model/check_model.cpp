@@ -55,11 +55,9 @@ class ModelCheck {
     if (!model_.mesh.find_surface(name))
       complaints_.add(where, who + ": there is no surface '" + name + "'" + suggest_name(name, surfaces_));
   }
-  int stage(const std::string& name, const Where& where, const std::string& who) {
-    const auto found = std::find(stages_.begin(), stages_.end(), name);
-    if (found != stages_.end()) return static_cast<int>(found - stages_.begin());
-    complaints_.add(where, who + ": there is no stage '" + name + "'" + suggest_name(name, stages_));
-    return -1;
+  void stage(const std::string& name, const Where& where, const std::string& who) {
+    if (std::find(stages_.begin(), stages_.end(), name) == stages_.end())
+      complaints_.add(where, who + ": there is no stage '" + name + "'" + suggest_name(name, stages_));
   }
 
   void materials() {
@@ -129,16 +127,26 @@ class ModelCheck {
       }
       if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve)) thermal_stage(stage, *thermal);
       if (const auto* fracture = std::get_if<FractureSolve>(&stage.solve)) {
-        for (const auto& name : {fracture->from, fracture->to}) {
-          if (name.empty()) continue;
-          const int index = this->stage(name, stage.where, who);
-          if (index >= static_cast<int>(s))
-            complaints_.add(stage.where, who + ": stage '" + name + "' must come before it");
-          else if (index >= 0 && !std::holds_alternative<ThermalSolve>(model_.stages[index].solve))
-            complaints_.add(stage.where, who + ": stage '" + name + "' is not thermal, so no temperature ends there");
-        }
+        for (const auto& name : {fracture->from, fracture->to})
+          if (!name.empty()) earlier_temperature(name, s, who);
       }
     }
+  }
+
+  /// A fracture stage takes temperatures from the ends of earlier thermal stages.
+  void earlier_temperature(const std::string& name, std::size_t stage, const std::string& who) {
+    std::vector<std::string> valid;
+    for (std::size_t s = 0; s < stage; ++s)
+      if (!is_mechanical(model_.stages[s])) valid.push_back(model_.stages[s].name);
+    if (std::find(valid.begin(), valid.end(), name) != valid.end()) return;
+    const auto found = std::find(stages_.begin(), stages_.end(), name);
+    const Where& where = model_.stages[stage].where;
+    if (found == stages_.end())
+      complaints_.add(where, who + ": there is no earlier thermal stage '" + name + "'" + suggest_name(name, valid));
+    else if (found - stages_.begin() >= static_cast<long>(stage))
+      complaints_.add(where, who + ": stage '" + name + "' must come before it");
+    else
+      complaints_.add(where, who + ": stage '" + name + "' is not thermal, so no temperature ends there");
   }
 
   void thermal_stage(const Stage& stage, const ThermalSolve& thermal) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -99,11 +100,12 @@ int history(lua_State* L) {
 }
 
 /// A value of a history with a unit that suits its size.
-std::string value_text(double value, const std::string& unit) {
-  if (unit == "m" && value != 0 && std::abs(value) < 1) return decimal_text(value * 1e3) + " mm";
-  if (unit == "Pa") return quantity_text({value, dimension::pressure, false});
-  if (unit == "N") return quantity_text({value, dimension::force, false});
-  return decimal_text(value) + (unit.empty() ? "" : " " + unit);
+std::string value_text(double value, std::string unit) {
+  if (unit == "m" && std::abs(value) < 1) value *= 1e3, unit = "mm";
+  if ((unit == "Pa" || unit == "N") && std::abs(value) >= 1e3) value *= 1e-6, unit = "M" + unit;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.7g%s%s", value, unit.empty() ? "" : " ", unit.c_str());
+  return text;
 }
 
 ExpectOutcome judge_function(const Expect& expect, const RunResult& result, Sandbox& sandbox) {

@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include "base/nearest_name.hpp"
 #include "script/deck.hpp"
 #include "script/quantity.hpp"
@@ -15,20 +17,25 @@ std::string padded(std::string text, std::size_t size) {
 
 /// `text` broken at spaces; lines after the first start with `indent` spaces, the first is already `used` wide.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t used) {
+  std::istringstream words(text);
   std::string all;
-  for (std::size_t at = 0; at < text.size();) {
-    std::size_t end = text.find(' ', at);
-    if (end == std::string::npos) end = text.size();
-    if (used + (end - at) > width && used > indent) {
+  for (std::string word; words >> word;) {
+    const bool first = all.empty();
+    if (!first && used + 1 + word.size() > width) {
       all += "\n" + std::string(indent, ' ');
       used = indent;
+    } else if (!first) {
+      all += ' ';
+      ++used;
     }
-    all += text.substr(at, end - at) + (end < text.size() ? " " : "");
-    used += end - at + 1;
-    at = end + 1;
+    all += word;
+    used += word.size();
   }
   return all;
 }
+
+/// The first sentence of a doc.
+std::string headline(const std::string& doc) { return doc.substr(0, std::min(doc.find(". "), doc.size() - 1)); }
 
 std::string form(const KeyRule& k) {
   const std::string unit = unit_symbol(k.dimension, k.dimension == dimension::temperature);
@@ -106,7 +113,7 @@ std::string help_index() {
   std::string all = "Nouns of the deck language; `ashlar help NOUN` shows the keys.\n\n";
   for (const auto& noun : nouns()) {
     const std::string line = padded("  " + noun.name, 24);
-    all += line + wrapped(noun.doc.substr(0, noun.doc.find(". ")), 24, line.size()) + "\n";
+    all += line + wrapped(headline(noun.doc), 24, line.size()) + "\n";
   }
   return all +
          "\n  units                 unit constants\n  functions             deck.args, deck.read_table, interpolate, "

@@ -185,7 +185,10 @@ void* Sandbox::allocate(void* self, void* block, std::size_t old_size, std::size
     sandbox.used_ -= old_size;
     return nullptr;
   }
-  if (new_size > old_size && sandbox.used_ + (new_size - old_size) > sandbox.limits.memory) return nullptr;
+  if (new_size > old_size && sandbox.used_ + (new_size - old_size) > sandbox.limits.memory) {
+    sandbox.failed_at_ = sandbox.where();
+    return nullptr;
+  }
   void* moved = std::realloc(block, new_size);
   if (moved) sandbox.used_ += new_size - old_size;
   return moved;
@@ -201,22 +204,12 @@ void Sandbox::count(lua_State* L, lua_Debug*) {
 }
 
 void Sandbox::call(int arguments, int results, long instructions, const std::string& what) {
-  // The handler runs where the error happened: a memory error has no line of its own.
-  const int handler = lua_gettop(L_) - arguments;
-  lua_pushcfunction(L_, [](lua_State* L) {
-    Sandbox& sandbox = of(L);
-    if (lua_type(L, 1) == LUA_TSTRING && text_at(L, 1) != "not enough memory") return 1;
-    sandbox.failed_at_ = sandbox.where();
-    return 1;
-  });
-  lua_insert(L_, handler);
   failed_at_ = {};
   budget_ = instructions;
   lua_sethook(L_, count, LUA_MASKCOUNT, hook_interval);
   watchdog_.begin(what);
-  const int status = lua_pcall(L_, arguments, results, handler);
+  const int status = lua_pcall(L_, arguments, results, 0);
   watchdog_.end();
-  lua_remove(L_, handler);
   if (status == LUA_OK) return;
   std::string message = text_at(L_, -1);
   if (status == LUA_ERRMEM || message == "not enough memory")

@@ -1,0 +1,2 @@
+model "column" {}
+os.execute("rm -rf results")

@@ -1,0 +1,2 @@
+model "column" {}
+local strength = 3*MPa + 2*m

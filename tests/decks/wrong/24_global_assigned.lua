@@ -1,0 +1,2 @@
+model "column" {}
+height = 4*m
