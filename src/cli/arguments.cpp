@@ -60,7 +60,7 @@ void take_option(Arguments& arguments, const std::string& name, const std::strin
 std::span<const Verb> verbs() {
   static const std::vector<Verb> all = {
       {"run", "DECK", 1, 1, {"--set", "--threads", "--out", "--force"}, "solves a deck and writes its results"},
-      {"check", "DECK", 1, 1, {"--set", "--threads"}, "reads a deck and shows mesh, contacts and plan without solving"},
+      {"check", "DECK", 1, 1, {"--set"}, "reads a deck and shows mesh, contacts and plan without solving"},
       {"plot",
        "RUN [--of FIELD ...]",
        0,
@@ -125,7 +125,7 @@ std::string usage_page() {
   std::string page = "usage: ashlar COMMAND [operands] [options]\n\n";
   for (const Verb& verb : verbs())
     page += "  " + column(verb.name + (verb.operands.empty() ? "" : " " + verb.operands), 28) + verb.doc + "\n";
-  page += "\noptions of run; check takes --set and --threads, bench --threads and --out\n";
+  page += "\noptions of run; check takes --set, bench --threads and --out\n";
   for (const Option& option : options())
     page += "  " + column(option.name + (option.value.empty() ? "" : " " + option.value), 28) + option.doc + "\n";
   page +=

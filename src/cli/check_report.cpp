@@ -56,6 +56,15 @@ void describe_regions(Page& page, const Model& model, const MeshQuality& quality
   }
 }
 
+/// Whether the deck or its mesh files name the surface; sections and boxes bring sides that nobody may have asked for.
+bool is_deck_surface(const Model& model, const std::string& name) {
+  for (const SurfaceChoice& choice : model.surfaces)
+    if (choice.name == name) return true;
+  for (const ImportedMesh& imported : model.imports)
+    if (imported.mesh.find_surface(name)) return true;
+  return false;
+}
+
 void describe_surfaces(Page& page, const Model& model) {
   std::map<std::string, std::string> users;
   for (const Condition& condition : model.conditions)
@@ -67,6 +76,7 @@ void describe_surfaces(Page& page, const Model& model) {
     double area = 0;
     for (const Facet& facet : surface.facets) area += norm(model.mesh.facet_area(facet));
     const std::string& use = users[surface.name];
+    if (use.empty() && !is_deck_surface(model, surface.name)) continue;
     page.line("surface", text("%s: %s, %.6g m^2", surface.name.c_str(),
                               counted(static_cast<long>(surface.facets.size()), "facet").c_str(), area) +
                              (use.empty() ? "" : ", " + use));
@@ -104,10 +114,9 @@ std::vector<ContactSum> sum_contacts(const Model& model, const Blocks& blocks, c
   return sums;
 }
 
-void describe_contacts(Page& page, const Model& model, const Blocks& blocks, const ContactPoints& contacts) {
+void describe_contacts(Page& page, const Model& model, const Blocks& blocks, const std::vector<ContactSum>& sums) {
   if (model.interfaces.empty()) return;
   page.line("blocks", counted(blocks.block_count, "block") + ", " + counted(blocks.node_count(), "block node"));
-  const auto sums = sum_contacts(model, blocks, contacts);
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const Interface& interface = model.interfaces[i];
     const ContactSum& sum = sums[i];
@@ -150,7 +159,7 @@ void describe_plan(Page& page, const Model& model) {
 
 }  // namespace
 
-std::string check_report(const Model& model, int threads) {
+std::string check_report(const Model& model) {
   const MeshQuality quality = measure_quality(model.mesh);
   const Blocks blocks = split_blocks(model, find_faces(model.mesh));
   const ContactPoints contacts = place_contacts(model, blocks);
@@ -159,9 +168,13 @@ std::string check_report(const Model& model, int threads) {
   describe_mesh(page, model, quality);
   describe_regions(page, model, quality);
   describe_surfaces(page, model);
-  describe_contacts(page, model, blocks, contacts);
+  const std::vector<ContactSum> sums = sum_contacts(model, blocks, contacts);
+  describe_contacts(page, model, blocks, sums);
   describe_plan(page, model);
-  for (const std::string& line : estimate_effort(model, blocks, contacts, threads)) page.line("estimate", line);
+  double stiffest = 0;
+  for (const ContactSum& sum : sums)
+    if (sum.points) stiffest = std::max(stiffest, sum.body_compliance / sum.spring_compliance);
+  for (const std::string& line : estimate_effort(model, blocks, contacts, stiffest)) page.line("estimate", line);
   for (const std::string& line : left_out(model)) page.line("left out", line);
   return page.lines();
 }

@@ -19,7 +19,7 @@ int check_command(const Arguments& arguments) {
   Deck deck = read_deck(arguments.operands[0], {arguments.settings.begin(), arguments.settings.end()});
   build_mesh(deck.model);
   check_model(deck.model);
-  std::fputs(check_report(deck.model, arguments.threads).c_str(), stdout);
+  std::fputs(check_report(deck.model).c_str(), stdout);
   return 0;
 }
 

@@ -29,6 +29,7 @@ std::string ProgressLines::line_of(const Progress& p) const {
   if (p.increments > 0) line += text("  increment %d/%d", p.increment, p.increments);
   line += text("  step %ld", p.step);
   if (p.target > 0) line += text("  ratio %.1e -> %.0e", p.ratio, p.target);
+  if (events_ > 0) line += "  " + counted(events_, "crack event");
   if (p.cracked_fraction > 0) line += text("  broken %.1f %%", 100 * p.cracked_fraction);
   if (p.fraction > 0.01 && p.fraction < 1)
     line += "  ETA " + clock_text(seconds_since(stage_start_) * (1 - p.fraction) / p.fraction);
@@ -43,7 +44,7 @@ void ProgressLines::progress(const Progress& p) {
     return;
   }
   // A pipe gets a line per increment, and one now and then while a long stage goes on.
-  if (p.increment == increment_ && seconds_since(last_plain_line_) < 15) return;
+  if (p.increment == increment_ && seconds_since(last_plain_line_) < 60) return;
   increment_ = p.increment;
   last_plain_line_ = Clock::now();
   print(line_of(p));

@@ -24,10 +24,10 @@ class Quantity:
 QUANTITIES = {
     "displacement": Quantity("displacement", "mm", 1e3, "viridis"),
     "temperature": Quantity("temperature", "\u00b0C", 1, "RdYlBu_r"),
-    "stress": Quantity("stress (tension positive)", "MPa", 1e-6, "RdBu_r", True),
-    "nodal_stress": Quantity("stress (tension positive)", "MPa", 1e-6, "RdBu_r", True),
-    "principal_stress": Quantity("principal stress (tension positive)", "MPa", 1e-6, "RdBu_r", True),
-        "normal_traction": Quantity("normal traction (tension positive)", "MPa", 1e-6, "RdBu_r", True),
+    "stress": Quantity("stress", "MPa", 1e-6, "RdBu_r", True),
+    "nodal_stress": Quantity("stress", "MPa", 1e-6, "RdBu_r", True),
+    "principal_stress": Quantity("principal stress", "MPa", 1e-6, "RdBu_r", True),
+        "normal_traction": Quantity("normal traction", "MPa", 1e-6, "RdBu_r", True),
     "shear_traction": Quantity("shear traction", "MPa", 1e-6, "YlOrRd"),
     "reaction": Quantity("reaction", "MN", 1e-6, "viridis"),
     "load": Quantity("load", "MN", 1e-6, "viridis"),
@@ -35,6 +35,9 @@ QUANTITIES = {
 COMPONENTS = {1: [], 3: ["x", "y", "z"], 6: ["xx", "yy", "zz", "xy", "yz", "zx"]}
 PRINCIPAL = ["largest", "middle", "smallest"]
 CRACK_COLOURS = drawing.matplotlib.colors.LinearSegmentedColormap.from_list("cracks", ["#f4a582", "#d6301f", "#67001f"])
+
+CLOSED = 1e-3            # mm
+CLOSED_COLOUR = "#2b6cb0"
 
 
 def quantity_of(field):
@@ -53,10 +56,10 @@ def component_of(name, values):
     if not component and field == "principal_stress":
         component = names[0]
     if not component and values.shape[1] == 3:
-        return np.linalg.norm(values, axis=1) * quantity.factor, f"{quantity.words}, magnitude"
+        return np.linalg.norm(values, axis=1) * quantity.factor, quantity.words
     if component not in names:
         raise PictureError(f"'{field}' needs a component: " + ", ".join(f"{field}.{n}" for n in names))
-    return values[:, names.index(component)] * quantity.factor, f"{quantity.words} {component}"
+    return values[:, names.index(component)] * quantity.factor, f"{component} {quantity.words}" if component in PRINCIPAL else f"{quantity.words} {component}"
 
 
 @dataclasses.dataclass
@@ -174,16 +177,21 @@ def crack_picture(run, request, path):
     begin, opening = halves[broken, 0], opening[broken] * 1e3
     ends = np.stack([moved[begin], (moved[begin] + moved[halves[broken, 1]]) / 2], axis=1)
 
-    focus = near(moved, original, faces.points)
+    focus = np.concatenate([near(shown, original, faces.points) for shown in (original, moved)])
     figure, axes = drawing.figure_for(focus, view)
     tone = np.array([0.90, 0.80, 0.85, 0.75])[run.mesh.regions[polygons.cell] % 4]
     draw_undeformed(axes, polygons, run, original, moved, view)
     drawing.plain(axes, polygons, moved, view, tone, outline_of(run, polygons))
-    if broken.any():
-        levels = drawing.bands(0, max(opening.max(), 1e-6))
-        order = np.argsort(opening, kind="stable")
+    closed = opening < CLOSED
+    if closed.any():
+        drawing.lines(axes, ends[closed], view, colors=CLOSED_COLOUR, linewidths=2.2, zorder=4)
+        axes.plot([], [], color=CLOSED_COLOUR, linewidth=2.2, label="cracked, closed")
+        axes.legend(loc="upper right", fontsize=9, frameon=False)
+    if not closed.all():
+        levels = drawing.bands(0, opening.max())
+        order = np.flatnonzero(~closed)[np.argsort(opening[~closed], kind="stable")]
         colours = CRACK_COLOURS(drawing.BoundaryNorm(levels, CRACK_COLOURS.N)(opening[order]))
-        drawing.lines(axes, ends[order], view, colors=colours, linewidths=2.6, zorder=4)
+        drawing.lines(axes, ends[order], view, colors=colours, linewidths=2.6, zorder=5)
         drawing.colour_bar(figure, axes, levels, CRACK_COLOURS, "crack opening [mm]")
     drawing.frame(axes, focus, view, margin=0.08)
     note = crack_note(faces)

@@ -81,7 +81,7 @@ class Run:
             raise ResultsError(f"{folder} is no folder of results: {error}") from error
         self.name = self.manifest["model"]["name"]
         self.mesh = self.read_mesh()
-        self.outputs = [Output(name, *(group.attrs[key] for key in ("stage", "time", "load_factor")))
+        self.outputs = [Output(name, text(group.attrs["stage"]), group.attrs["time"], group.attrs["load_factor"])
                         for name, group in sorted(self.file["Steps"].items())]
 
     def read_mesh(self):
