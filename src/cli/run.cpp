@@ -78,7 +78,7 @@ int run_command(const Arguments& arguments) {
     facts.expects = evaluate(deck, result);
     facts.folder = folder.path();
     std::vector<ExpectRecord> records;
-    for (const ExpectOutcome& e : facts.expects) records.push_back({e.name, e.passed, e.message});
+    for (const ExpectOutcome& e : facts.expects) records.push_back({e.name, e.passed, e.message, e.found, e.between});
     writer.finish(result, records);
     facts.files = writer.file_names();
     facts.files.push_back(summary_file);

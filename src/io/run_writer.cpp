@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -248,8 +249,12 @@ void RunWriter::finish(const RunResult& result, const std::vector<ExpectRecord>&
   for (const auto& table : result.histories) files_->history(table).update(table);
   Json stages = Json::array(), checked = Json::array();
   for (const auto& stage : result.stages) stages.push_back(described(stage));
-  for (const auto& expect : expects)
-    checked.push_back({{"name", expect.name}, {"passed", expect.passed}, {"message", expect.message}});
+  for (const auto& expect : expects) {
+    Json entry{{"name", expect.name}, {"passed", expect.passed}, {"message", expect.message}};
+    if (std::isfinite(expect.found)) entry["found"] = expect.found;
+    if (expect.between) entry["between"] = *expect.between;
+    checked.push_back(entry);
+  }
   auto& manifest = files_->manifest;
   manifest["status"] = result.interrupted ? "interrupted" : result.all_converged() ? "finished" : "not converged";
   if (!result.device.empty()) manifest["device"] = result.device;

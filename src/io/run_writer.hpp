@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,8 @@ struct ExpectRecord {
   std::string name;
   bool passed = false;
   std::string message;
+  double found = 0;                              ///< SI; NaN where a function decided or nothing was found
+  std::optional<std::array<double, 2>> between;  ///< lowest and highest value allowed, SI
 };
 
 /// Writes a run's folder while the run goes on:

@@ -49,9 +49,10 @@ Deck read_deck(const std::string& path, const std::map<std::string, std::string>
 struct ExpectOutcome {
   std::string name;
   bool passed = false;
-  double found = 0;     ///< SI; NaN where a function decided or nothing was found
-  std::string wanted;   ///< "between -60 mm and -5 mm" or "function"
-  std::string message;  ///< one line for the summary
+  double found = 0;                              ///< SI; NaN where a function decided or nothing was found
+  std::optional<std::array<double, 2>> between;  ///< lowest and highest value allowed, SI
+  std::string wanted;                            ///< "between -60 mm and -5 mm" or "function"
+  std::string message;                           ///< one line for the summary
 };
 
 /// Compares a finished run with the deck's expects, in the deck's order. An expect whose stage was not reached fails.

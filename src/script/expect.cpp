@@ -63,6 +63,14 @@ int stage(lua_State* L) {
   number("load_factor", s.load_factor);
   number("cracks", static_cast<double>(s.events.size()));
   number("first_crack", s.events.empty() ? std::numeric_limits<double>::infinity() : s.events.front().load_factor);
+  lua_newtable(L);
+  constexpr const char* axes[3] = {"x", "y", "z"};
+  if (!s.events.empty())
+    for (int i = 0; i < 3; ++i) {
+      lua_pushnumber(L, s.events.front().place[i]);
+      lua_setfield(L, -2, axes[i]);
+    }
+  lua_setfield(L, -2, "first_crack_place");
   number("cracked_area", s.cracked_area);
   number("dissipated_energy", s.dissipated_energy);
   number("free_blocks", static_cast<double>(s.free_blocks.size()));
@@ -109,7 +117,7 @@ std::string value_text(double value, std::string unit) {
 }
 
 ExpectOutcome judge_function(const Expect& expect, const RunResult& result, Sandbox& sandbox) {
-  ExpectOutcome outcome{expect.name, false, std::numeric_limits<double>::quiet_NaN(), "function", ""};
+  ExpectOutcome outcome{expect.name, false, std::numeric_limits<double>::quiet_NaN(), {}, "function", ""};
   lua_State* L = sandbox.state();
   const int top = lua_gettop(L);
   lua_pushlightuserdata(L, const_cast<RunResult*>(&result));
@@ -138,7 +146,7 @@ ExpectOutcome judge_function(const Expect& expect, const RunResult& result, Sand
 }
 
 ExpectOutcome judge(const Expect& expect, const RunResult& result) {
-  ExpectOutcome outcome{expect.name, false, std::numeric_limits<double>::quiet_NaN(), "", ""};
+  ExpectOutcome outcome{expect.name, false, std::numeric_limits<double>::quiet_NaN(), expect.between, "", ""};
   try {
     const HistoryTable& table = named(result.histories, expect.history, "history");
     const auto column = std::find(table.columns.begin(), table.columns.end(), expect.component);
