@@ -23,7 +23,7 @@ class NodeIndex {
   /// -1 if there is no such node.
   int find(long id) const {
     if (sorted_.empty() || id < sorted_.front().first || id > sorted_.back().first) return -1;
-    const auto guess = static_cast<std::size_t>(id - sorted_.front().first);
+    const auto guess = static_cast<std::size_t>(id) - static_cast<std::size_t>(sorted_.front().first);
     if (guess < sorted_.size() && sorted_[guess].first == id) return sorted_[guess].second;
     const auto it = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{id, 0});
     return it != sorted_.end() && it->first == id ? it->second : -1;
