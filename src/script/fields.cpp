@@ -319,8 +319,9 @@ class FieldReader {
             : "is " + describe(L, lua_gettop(L)) + "; expected " + dimension_advice(rule.dimension);
       lua_pop(L, 1);
       if (!found.empty())
-        throw DeckError(where, what + " at (" + decimal_text(p.x) + ", " + decimal_text(p.y) + ", " +
-                                   decimal_text(p.z) + ") " + found);
+        throw DeckError(
+            where, what + " at (" + decimal_text(p.x) + ", " + decimal_text(p.y) + ", " + decimal_text(p.z) + ") " +
+                       found + (q && q->dimension ? "; x, y and z are plain numbers in metres (z*m is a length)" : ""));
       return q->value;
     };
     return value;

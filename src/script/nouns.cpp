@@ -241,7 +241,9 @@ int add_expect(const Call& c) {
   for (const auto& r : recorded())
     if (r.name == field) rule.dimension = r.dimension;
   const auto check = [&](const char* key, int i) {
-    const std::string complaint = number_complaint(rule, f.quantity(key, i));
+    Quantity quantity = f.quantity(key, i);
+    quantity.celsius |= std::string(key) == "tolerance";  // a difference of temperatures may be in K
+    const std::string complaint = number_complaint(rule, quantity);
     if (!complaint.empty()) c.complain(key, std::string("'") + key + "' " + complaint);
   };
   if (f.has("between")) {

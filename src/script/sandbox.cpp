@@ -198,14 +198,14 @@ void Sandbox::count(lua_State* L, lua_Debug*) {
   Sandbox& sandbox = of(L);
   if ((sandbox.budget_ -= hook_interval) > 0) return;
   sandbox.budget_ = 0;
-  push(L, sandbox.where().prefix() + "still running after " + std::to_string(sandbox.limits.instructions / 1'000'000) +
+  push(L, sandbox.where().prefix() + "still running after " + std::to_string(sandbox.allowance_ / 1'000'000) +
               " million instructions: an endless loop?");
   lua_error(L);
 }
 
 void Sandbox::call(int arguments, int results, long instructions, const std::string& what) {
   failed_at_ = {};
-  budget_ = instructions;
+  budget_ = allowance_ = instructions;
   lua_sethook(L_, count, LUA_MASKCOUNT, hook_interval);
   watchdog_.begin(what);
   const int status = lua_pcall(L_, arguments, results, 0);

@@ -80,7 +80,7 @@ class Sandbox : public std::enable_shared_from_this<Sandbox> {
 
   std::map<std::string, DeckLines> lines_;  ///< by path
   std::size_t used_ = 0;
-  long budget_ = 0;
+  long allowance_ = 0, budget_ = 0;  ///< instructions of the running call: given, left
   Where failed_at_;
   Watchdog watchdog_;
   lua_State* L_ = nullptr;

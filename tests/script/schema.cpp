@@ -1,0 +1,51 @@
+#include "script/schema.hpp"
+
+#include "script/deck_text.hpp"
+
+namespace ashlar {
+namespace {
+
+TEST(Schema, EveryNounAndEveryKeySaysWhatItIs) {
+  for (const auto& noun : nouns()) {
+    EXPECT_FALSE(noun.doc.empty()) << noun.name;
+    for (const auto& key : noun.keys) EXPECT_FALSE(key.doc.empty()) << noun.name << "." << key.name;
+    for (const auto& law : laws_of(noun)) {
+      EXPECT_FALSE(law.doc.empty()) << law.name;
+      for (const auto& key : law.keys) EXPECT_FALSE(key.doc.empty()) << law.name << "." << key.name;
+    }
+  }
+}
+
+TEST(Schema, LawKeysDoNotHideNounKeys) {
+  for (const auto& noun : nouns())
+    for (const auto& law : laws_of(noun))
+      for (const auto& law_key : law.keys)
+        for (const auto& key : noun.keys) EXPECT_NE(key.name, law_key.name) << noun.name << ", law " << law.name;
+}
+
+TEST(Schema, EveryExampleIsADeckThatReads) {
+  for (const auto& noun : nouns()) {
+    const test::DeckFolder folder;
+    std::filesystem::copy_file(ASHLAR_TEST_DATA "/dam_D0_r1_ny1.msh", folder.path() + "dam.msh");
+    // Names that an example refers to.
+    const std::string around = noun.name == "expect" ? R"(
+      stage "gravity" { solve = static {} }
+      history "crest" { at = {0, 0, 60}, record = "displacement" })"
+                                                     : "";
+    EXPECT_NO_THROW(read_deck(folder.write("deck.lua", around + "\n" + noun.example), {})) << noun.example;
+  }
+}
+
+TEST(Schema, HelpShowsEveryKeyAndEveryLaw) {
+  for (const auto& noun : nouns()) {
+    const std::string page = help(noun.name);
+    for (const auto& key : noun.keys)
+      EXPECT_NE(page.find("  " + key.name + " "), std::string::npos) << noun.name << "." << key.name;
+    for (const auto& law : laws_of(noun)) EXPECT_NE(page.find("law = \"" + law.name + "\""), std::string::npos);
+    EXPECT_NE(help_index().find("  " + noun.name + " "), std::string::npos);
+  }
+  EXPECT_THROW(help("materiel"), DeckError);
+}
+
+}  // namespace
+}  // namespace ashlar
