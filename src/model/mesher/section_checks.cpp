@@ -128,7 +128,8 @@ std::array<int, 4> choose_corners(const Extrude& extrude) {
   std::vector<int> order(n);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return angles[a] < angles[b]; });
-  const bool clear = angles[order[3]] < 170 && (n == 4 || angles[order[4]] - angles[order[3]] > 10);
+  const bool clear =
+      n == 4 ? angles[order[3]] < 179 : angles[order[3]] < 170 && angles[order[4]] - angles[order[3]] > 10;
   if (!clear) {
     std::string list;
     for (int i = 0; i < n; ++i) {
