@@ -1,3 +1,5 @@
+#include "io/mesh_file.hpp"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -6,8 +8,6 @@
 #include <fstream>
 #include <numeric>
 #include <sstream>
-
-#include "io/mesh_file.hpp"
 
 namespace ashlar {
 namespace {

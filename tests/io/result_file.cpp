@@ -1,3 +1,5 @@
+#include "io/result_file.hpp"
+
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <signal.h>
@@ -10,7 +12,6 @@
 #include <set>
 #include <sstream>
 
-#include "io/result_file.hpp"
 #include "io/sample_model.hpp"
 
 namespace ashlar {

@@ -1,3 +1,5 @@
+#include "io/run_writer.hpp"
+
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -6,7 +8,6 @@
 #include <sstream>
 
 #include "io/history_file.hpp"
-#include "io/run_writer.hpp"
 #include "io/sample_model.hpp"
 #include "io/sha256.hpp"
 
