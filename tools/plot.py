@@ -72,8 +72,7 @@ def asked_pictures(run):
 def main(words):
     arguments = read_arguments(words)
     run = results.Run(arguments.run)
-    named = arguments.of or arguments.history or arguments.profile
-    if not named:
+    if len(words) == 1:
         made = []
         for name, request in asked_pictures(run):
             path = run.folder / f"{name}.png"
@@ -100,4 +99,5 @@ if __name__ == "__main__":
     try:
         main(sys.argv[1:])
     except (pictures.PictureError, results.ResultsError) as error:
-        sys.exit(f"ashlar plot: {error}")
+        print(f"ashlar plot: {error}", file=sys.stderr)
+        sys.exit(2)

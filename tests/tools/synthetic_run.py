@@ -119,5 +119,12 @@ def write_run(folder):
                [(stage, 1.0, {"state": broken * (stage == "fracture"), "opening": opening * (stage == "fracture")})
                 for stage in STAGES], units)
 
-    (folder / "manifest.json").write_text(json.dumps({"model": {"name": "synthetic"}, "pictures": []}), encoding="utf-8")
+    (folder / "history_crest.csv").write_text(
+        "stage,time,load_factor,displacement.x [m],displacement.z [m],temperature [degC]\n"
+        "gravity,0,0,0,0,10\ngravity,1,1,0.002,-0.005,10\nsummer,2,1,0.002,-0.005,28\nfracture,4,1,0.004,-0.004,2\n",
+        encoding="utf-8")
+    (folder / "manifest.json").write_text(json.dumps({
+        "model": {"name": "synthetic"}, "pictures": [], "histories": [{"name": "crest", "file": "history_crest.csv"}],
+        "stages": [{"name": s, "kind": "thermal steady" if s in ("summer", "winter") else "static"} for s in STAGES],
+    }), encoding="utf-8")
     return {"cracked_points": int(broken.sum()), "widest": float(opening.max()), "settlement": 5e-3}

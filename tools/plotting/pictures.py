@@ -233,12 +233,12 @@ def history_picture(run, name, path):
         axes.grid(alpha=0.3)
         if len(columns) > 1:
             axes.legend(fontsize=8, ncols=3, frameon=False)
-        for begin, stage in table.stage_starts:
-            axes.axvline(begin, color="0.8", linewidth=0.8)
-    for begin, stage in table.stage_starts:
-        panels[0, 0].annotate(stage, (begin, 1.0), xycoords=("data", "axes fraction"), xytext=(3, 3),
+        for end, _ in table.stage_ends:
+            axes.axvline(end, color="0.7", linewidth=0.8)
+    for end, stage in table.stage_ends:
+        panels[0, 0].annotate(stage, (end, 1.0), xycoords=("data", "axes fraction"), xytext=(-3, 3), ha="right",
                               textcoords="offset points", fontsize=8, color="0.3")
-    panels[-1, 0].set_xlabel("stage number + load factor (thermal stages: + share of the duration)")
+    panels[-1, 0].set_xlabel("stages done, with the fraction of the present one")
     figure.suptitle(f"{run.name}: history {name}", fontsize=12, fontweight="bold", x=0.01, ha="left")
     drawing.save(figure, path)
 
@@ -281,9 +281,10 @@ def sensible_set(run):
     """(name, request) of pictures that show every stage: what moved, how warm, what broke."""
     chosen = []
     for stage in dict.fromkeys(o.stage for o in run.outputs):
-        chosen.append((f"displacement-{stage}", Request(of="displacement", stage=stage, deform=-1)))
-        if run.has_field("temperature"):
+        if stage in run.thermal_stages():
             chosen.append((f"temperature-{stage}", Request(of="temperature", stage=stage)))
+        else:
+            chosen.append((f"displacement-{stage}", Request(of="displacement", stage=stage, deform=-1)))
     if run.has_interfaces():
         chosen.append(("cracks", Request(of="cracks", deform=-1)))
     return chosen

@@ -61,12 +61,9 @@ class History:
     values: dict              # column -> [rows]
 
     @property
-    def stage_starts(self):
-        """(time, stage) of the first row of each stage."""
-        first = {}
-        for time, stage in zip(self.time, self.stages):
-            first.setdefault(stage, time)
-        return [(time, stage) for stage, time in first.items()]
+    def stage_ends(self):
+        """(time, stage) of the last row of each stage."""
+        return list({stage: (time, stage) for time, stage in zip(self.time, self.stages)}.values())
 
 
 class Run:
@@ -105,9 +102,6 @@ class Run:
             raise ResultsError(f"the results hold no field '{name}'; fields: " + ", ".join(sorted(step)))
         return ("point" if name in self.file["VTKHDF/PointData"] else "cell"), step[name][()]
 
-    def has_field(self, name):
-        return any(name in step for step in self.file["Steps"].values())
-
     def has_interfaces(self):
         return (self.folder / "interfaces.vtkhdf").exists()
 
@@ -120,6 +114,24 @@ class Run:
             step = file["Steps"][output.step]
             return Faces(group["Points"][()], group["Connectivity"][()], group["Offsets"][()], step["state"][()],
                          step["opening"][()])
+
+    def history(self, name):
+        """One history as its file holds it."""
+        files = {h["name"]: h["file"] for h in self.manifest["histories"]}
+        if name not in files:
+            raise ResultsError(f"no history '{name}'; histories: " + ", ".join(files))
+        with open(self.folder / files[name], encoding="utf-8", newline="") as file:
+            head, *rows = csv.reader(file)
+        if not rows:
+            raise ResultsError(f"history '{name}' has no rows yet")
+        titles = [title.rstrip("]").partition(" [") for title in head[3:]]
+        columns = [title[0] for title in titles]
+        return History(name, columns, {title[0]: title[2] for title in titles}, [row[0] for row in rows],
+                       np.array([float(row[1]) for row in rows]),
+                       {column: np.array([float(row[3 + i]) for row in rows]) for i, column in enumerate(columns)})
+
+    def thermal_stages(self):
+        return [s["name"] for s in self.manifest["stages"] if s["kind"].startswith("thermal")]
 
 
 def text(value):

@@ -1,0 +1,139 @@
+#!/usr/bin/python3
+"""The program as a user meets it: exit codes, what it prints where, folders that are not overwritten, Ctrl-C.
+
+Called by CTest with the path of the program as the only argument.
+"""
+import json
+import os
+import pathlib
+import pty
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = pathlib.Path(sys.argv.pop() if len(sys.argv) > 1 else "build/ashlar").resolve()
+
+DECK = """
+local args = deck.args { load = { default = 1, unit = MPa, doc = "pull" } }
+model "bar" {}
+box "bar" { from = {0,0,0}, to = {4*m,1*m,1*m}, cells = {4,1,1} }
+material "steel" { region = "bar", density = 7800, young = 200*GPa, poisson = 0 }
+surface "left" { of = "bar", side = "left" }
+surface "right" { of = "bar", side = "right" }
+fix { surface = "left", x = 0, y = 0, z = 0 }
+traction { surface = "right", x = args.load }
+stage "pull" { solve = static { SOLVE } }
+history "end" { at = {4,0,0}, record = { "displacement" } }
+expect "Hooke" { history = "end", component = "displacement.x", value = 0.02*mm, relative = 1e-4 }
+"""
+
+
+class Program(unittest.TestCase):
+    def setUp(self):
+        self.place = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.place.name)
+        self.environment = os.environ | {"OMP_WAIT_POLICY": "passive"}
+
+    def tearDown(self):
+        self.place.cleanup()
+
+    def deck(self, solve="tolerance = 1e-8"):
+        (self.folder / "bar.lua").write_text(DECK.replace("SOLVE", solve), encoding="utf-8")
+
+    def ashlar(self, *words):
+        return subprocess.run([PROGRAM, *words], cwd=self.folder, env=self.environment, capture_output=True, text=True)
+
+    def test_a_good_run_exits_0_and_says_what_it_did_in_plain_lines(self):
+        self.deck()
+        answer = self.ashlar("run", "bar.lua")
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertNotIn("\r", answer.stdout)
+        for words in ("stage 1 pull: static", "pull (static): converged", "ok      Hooke", "bar.run/results.xdmf"):
+            self.assertIn(words, answer.stdout)
+        again = self.ashlar("info", "bar.run")
+        self.assertEqual(again.returncode, 0)
+        self.assertTrue(answer.stdout.endswith(again.stdout))
+
+    def test_an_earlier_run_is_replaced_only_by_force(self):
+        self.deck()
+        self.assertEqual(self.ashlar("run", "bar.lua").returncode, 0)
+        refused = self.ashlar("run", "bar.lua")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--force", refused.stderr)
+        self.assertEqual(self.ashlar("run", "bar.lua", "--force").returncode, 0)
+        self.assertEqual(self.ashlar("run", "bar.lua", "--out", "other").returncode, 0)
+
+    def test_a_failed_expect_exits_4(self):
+        self.deck()
+        answer = self.ashlar("run", "bar.lua", "--set", "load=2")
+        self.assertEqual(answer.returncode, 4)
+        self.assertIn("FAILED  Hooke", answer.stdout)
+
+    def test_a_stage_that_does_not_converge_exits_3(self):
+        self.deck("tolerance = 1e-8, max_steps = 10")
+        answer = self.ashlar("run", "bar.lua")
+        self.assertEqual(answer.returncode, 3)
+        self.assertIn("step limit", answer.stdout)
+
+    def test_wrong_commands_and_decks_exit_2_on_the_error_stream(self):
+        self.deck()
+        for words in (["rum", "bar.lua"], ["run"], ["run", "absent.lua"], ["run", "bar.lua", "--set", "laod=2"], ["help", "extrud"],
+                      ["info", "absent.run"]):
+            with self.subTest(words):
+                answer = self.ashlar(*words)
+                self.assertEqual(answer.returncode, 2, answer.stderr)
+                self.assertEqual(answer.stdout, "")
+                self.assertNotEqual(answer.stderr, "")
+
+    def test_a_folder_that_cannot_be_made_exits_5(self):
+        self.deck()
+        answer = self.ashlar("run", "bar.lua", "--out", "/proc/nowhere")
+        self.assertEqual(answer.returncode, 5, answer.stderr)
+
+    def test_check_shows_the_model_and_writes_nothing(self):
+        self.deck()
+        answer = self.ashlar("check", "bar.lua")
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        for words in ("4 elements (4 hex8), 20 nodes, 4 m^3", "bar: 4 elements, 4 m^3, 31 t, steel (elastic)",
+                      "right: 1 facet, 1 m^2, traction", "estimate"):
+            self.assertIn(words, answer.stdout)
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["bar.lua"])
+
+    def test_a_terminal_gets_one_live_line(self):
+        self.deck("tolerance = 1e-14, max_steps = 300000")
+        controller, terminal = pty.openpty()
+        process = subprocess.Popen([PROGRAM, "run", "bar.lua"], cwd=self.folder, env=self.environment, stdout=terminal)
+        os.close(terminal)
+        shown = b""
+        try:
+            while part := os.read(controller, 4096):
+                shown += part
+        except OSError:  # the end of a terminal whose program has ended
+            pass
+        process.wait()
+        os.close(controller)
+        self.assertIn(b"\r\x1b[Kstage 1/1 pull", shown)
+
+    def test_an_interrupted_run_keeps_what_it_has_and_exits_130(self):
+        self.deck("tolerance = 1e-14, step_factor = 0.001, max_steps = 900000000")
+        for signals in (1, 2):
+            with self.subTest(signals=signals):
+                process = subprocess.Popen([PROGRAM, "run", "bar.lua", "--force"], cwd=self.folder, env=self.environment,
+                                           stdout=subprocess.PIPE, text=True)
+                self.assertIn("stage 1 pull", process.stdout.readline())
+                time.sleep(0.3)
+                for _ in range(signals):
+                    process.send_signal(signal.SIGINT)
+                words, _ = process.communicate(timeout=20)
+                self.assertEqual(process.returncode, 130)
+                if signals == 1:
+                    self.assertIn("interrupted", words)
+                    status = json.loads((self.folder / "bar.run/manifest.json").read_text(encoding="utf-8"))["status"]
+                    self.assertEqual(status, "interrupted")
+
+
+if __name__ == "__main__":
+    unittest.main()
