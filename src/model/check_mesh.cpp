@@ -7,81 +7,13 @@
 #include <numeric>
 #include <set>
 
+#include "model/element_measures.hpp"
 #include "model/place_text.hpp"
 #include "model/touching.hpp"
-#include "physics/gauss_table.hpp"
 
 namespace ashlar {
 
 namespace {
-
-/// The three neighbours of each corner, in right-hand order: their edges span the corner's Jacobian.
-constexpr int hex_neighbours[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
-                                      {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
-constexpr int wedge_neighbours[6][3] = {{1, 2, 3}, {2, 0, 4}, {0, 1, 5}, {5, 4, 0}, {3, 5, 1}, {4, 3, 2}};
-constexpr int tet_neighbours[4][3] = {{1, 2, 3}, {2, 0, 3}, {0, 1, 3}, {0, 2, 1}};
-
-const int* corner_neighbours(Shape shape, int corner) {
-  switch (shape) {
-    case Shape::hex8: return hex_neighbours[corner];
-    case Shape::wedge6: return wedge_neighbours[corner];
-    case Shape::tet4: break;
-  }
-  return tet_neighbours[corner];
-}
-
-/// Corner Jacobian over edge lengths of the ideal shape: its reciprocal scales the quality to 1.
-double ideal_corner(Shape shape) {
-  return shape == Shape::hex8 ? 1.0 : shape == Shape::wedge6 ? std::sqrt(3.0) / 2 : std::sqrt(0.5);
-}
-
-template <class Element>
-ElementGeometry<Element, double> geometry_of(const Mesh& mesh, int e) {
-  double points[3][Element::corners];
-  const auto corners = mesh.element(e);
-  for (int k = 0; k < Element::corners; ++k)
-    for (int a = 0; a < 3; ++a) points[a][k] = mesh.points[corners[k]][a];
-  return ElementGeometry<Element, double>(points);
-}
-
-struct Jacobians {
-  double smallest = std::numeric_limits<double>::infinity();  ///< over Gauss points, in the scale of `factor`
-  double volume = 0;                                          ///< m^3
-};
-
-template <class Element>
-Jacobians gauss_jacobians(const Mesh& mesh, int e) {
-  const auto geometry = geometry_of<Element>(mesh, e);
-  Jacobians found;
-  for (int g = 0; g < Element::gauss_points; ++g) {
-    const double det = geometry.jacobian_at(g).det;
-    found.smallest = std::min(found.smallest, det);
-    found.volume += GaussTable<Element>::factor * det;
-  }
-  return found;
-}
-
-Jacobians gauss_jacobians(const Mesh& mesh, int e) {
-  switch (mesh.shapes[e]) {
-    case Shape::hex8: return gauss_jacobians<Hex8<double>>(mesh, e);
-    case Shape::wedge6: return gauss_jacobians<Wedge6<double>>(mesh, e);
-    case Shape::tet4: break;
-  }
-  return gauss_jacobians<Tet4<double>>(mesh, e);
-}
-
-/// Smallest corner Jacobian over the lengths of its edges: -1 .. 1, before scaling by the ideal shape.
-double smallest_corner(const Mesh& mesh, int e) {
-  const auto nodes = mesh.element(e);
-  double smallest = 1;
-  for (int c = 0; c < static_cast<int>(nodes.size()); ++c) {
-    const int* n = corner_neighbours(mesh.shapes[e], c);
-    const auto& p = mesh.points[nodes[c]];
-    const auto a = mesh.points[nodes[n[0]]] - p, b = mesh.points[nodes[n[1]]] - p, d = mesh.points[nodes[n[2]]] - p;
-    smallest = std::min(smallest, dot(a, cross(b, d)) / (norm(a) * norm(b) * norm(d)));
-  }
-  return smallest;
-}
 
 /// One check's complaints: ten with their whole text, the others counted.
 class LimitedComplaints {
@@ -155,18 +87,17 @@ class MeshCheck {
   void positive_jacobians() {
     LimitedComplaints found(complaints_, declared_);
     for (int e = 0; e < mesh_.element_count(); ++e) {
-      const auto jacobians = gauss_jacobians(mesh_, e);
-      const double corner = smallest_corner(mesh_, e);
-      // Written so that a quotient 0/0 of a collapsed edge counts as wrong.
-      const bool sound = jacobians.smallest > 0 && corner > 1e-9;
+      const auto measures = measure_element(mesh_, e);
+      const bool sound = measures.smallest_gauss_jacobian > 0 && measures.smallest_corner > 1e-9;
       if (sound) continue;
       found.add(mesh_.regions[e], [&] {
-        if (!(std::abs(jacobians.volume) > 1e-12 * std::pow(longest_edge(e), 3))) return name(e) + ": has no volume";
-        if (jacobians.volume < 0)
-          return name(e) + ": is inside out (volume " + number_text(jacobians.volume) +
+        if (std::abs(measures.volume) <= 1e-12 * std::pow(measures.longest_edge, 3)) return name(e) + ": has no volume";
+        if (measures.volume < 0)
+          return name(e) + ": is inside out (volume " + number_text(measures.volume) +
                  " m^3); its corners must follow the VTK order";
         return name(e) + ": is folded (Jacobian not positive at a " +
-               (jacobians.smallest > 0 ? "corner" : "Gauss point") + "); move its nodes or mesh the place finer";
+               (measures.smallest_gauss_jacobian > 0 ? "corner" : "Gauss point") +
+               "); move its nodes or mesh the place finer";
       });
     }
   }
@@ -267,16 +198,6 @@ class MeshCheck {
     }
   }
 
-  double longest_edge(int e) const {
-    double longest = 0;
-    const auto corners = mesh_.element(e);
-    for (int c = 0; c < static_cast<int>(corners.size()); ++c)
-      for (int i = 0; i < 3; ++i)
-        longest = std::max(
-            longest, norm(mesh_.points[corners[corner_neighbours(mesh_.shapes[e], c)[i]]] - mesh_.points[corners[c]]));
-    return longest;
-  }
-
   const Mesh& mesh_;
   const std::vector<Where>& declared_;
   Complaints complaints_;
@@ -286,36 +207,27 @@ class MeshCheck {
 
 void check_mesh(const Mesh& mesh, const std::vector<Where>& declared) { MeshCheck(mesh, declared).run(); }
 
-double element_volume(const Mesh& mesh, int element) { return gauss_jacobians(mesh, element).volume; }
-
 MeshQuality measure_quality(const Mesh& mesh) {
   MeshQuality quality;
   quality.region_volume.assign(mesh.region_names.size(), 0);
   quality.smallest_edge.value = std::numeric_limits<double>::infinity();
   quality.worst_scaled_jacobian.value = std::numeric_limits<double>::infinity();
   for (int e = 0; e < mesh.element_count(); ++e) {
-    const auto nodes = mesh.element(e);
-    double shortest = std::numeric_limits<double>::infinity(), longest = 0;
-    for (int c = 0; c < static_cast<int>(nodes.size()); ++c)
-      for (int i = 0; i < 3; ++i) {
-        const int other = corner_neighbours(mesh.shapes[e], c)[i];
-        if (other < c) continue;
-        const double length = norm(mesh.points[nodes[other]] - mesh.points[nodes[c]]);
-        shortest = std::min(shortest, length);
-        longest = std::max(longest, length);
-      }
+    const auto measures = measure_element(mesh, e);
     const auto take = [&](WorstElement& worst, double value, bool worse) {
       if (worse) worst = {value, e, mesh.centroid(e)};
     };
-    take(quality.smallest_edge, shortest, shortest < quality.smallest_edge.value);
-    take(quality.worst_aspect, longest / shortest, longest / shortest > quality.worst_aspect.value);
-    const double scaled = smallest_corner(mesh, e) / ideal_corner(mesh.shapes[e]);
+    const double aspect = measures.longest_edge / measures.shortest_edge;
+    const double scaled = measures.scaled_jacobian(mesh.shapes[e]);
+    take(quality.smallest_edge, measures.shortest_edge, measures.shortest_edge < quality.smallest_edge.value);
+    take(quality.worst_aspect, aspect, aspect > quality.worst_aspect.value);
     take(quality.worst_scaled_jacobian, scaled, scaled < quality.worst_scaled_jacobian.value);
-    const double volume = element_volume(mesh, e);
-    quality.volume += volume;
-    quality.region_volume[mesh.regions[e]] += volume;
+    quality.volume += measures.volume;
+    quality.region_volume[mesh.regions[e]] += measures.volume;
   }
   return quality;
 }
+
+double element_volume(const Mesh& mesh, int element) { return measure_element(mesh, element).volume; }
 
 }  // namespace ashlar

@@ -24,8 +24,7 @@ struct WorstElement {
 struct MeshQuality {
   WorstElement smallest_edge;          ///< m
   WorstElement worst_aspect;           ///< longest over shortest edge of one element, 1 is best
-  WorstElement worst_scaled_jacobian;  ///< smallest corner Jacobian over its edge lengths; 1 in a cube, a right wedge
-                                       ///< on an equilateral triangle and a regular tetrahedron, 0 in a flat element
+  WorstElement worst_scaled_jacobian;  ///< ElementMeasures::scaled_jacobian: 1 in an ideal element, 0 in a flat one
   double volume = 0;                   ///< m^3
   std::vector<double> region_volume;   ///< [regions], m^3
 };
