@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "model/blocks.hpp"
+#include "model/check_mesh.hpp"
 #include "model/loads.hpp"
 #include "physics/interface_laws/interface_laws.hpp"
 #include "physics/laws/laws.hpp"
@@ -18,16 +19,6 @@ std::array<double, 4> corner_areas(const Mesh& mesh, const Facet& facet) {
     for (int i = 0; i < 4; ++i) areas[i] += point.shape[i] * norm(point.area);
   if (face_corners(mesh.shapes[facet.element], facet.face).size() == 3) areas[2] += areas[3];
   return areas;
-}
-
-/// m^3: a third of the integral of x . n dA over the facets, exact on bilinear ones.
-double element_volume(const Mesh& mesh, int element) {
-  const Vec3<double> origin = mesh.centroid(element);
-  double volume = 0;
-  for (int f = 0; f < face_count(mesh.shapes[element]); ++f)
-    for (const auto& point : facet_points(facet_corners(mesh, {element, f})))
-      volume += dot(point.position - origin, point.area) / 3;
-  return volume;
 }
 
 /// Moduli of the elastic part of one region's material, Pa.

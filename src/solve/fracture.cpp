@@ -1,6 +1,7 @@
 #include "solve/fracture.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ashlar {
 
@@ -11,12 +12,29 @@ constexpr double aimed_over_strength = 1.001;  // where the search for the first
 constexpr double finest_advance = 1e-9;        // of the load factor: below this the path jumps
 constexpr double balance_to_rounding = 1e-12;  // of the unbalanced force ratio, double precision
 constexpr int most_looks_in_balance = 20;      // in a row
+constexpr double runaway = 0.1;                // of the body's size: farther from the last equilibrium there is none
 constexpr long support_interval = 1000;        // relaxation steps between two looks for bodies that float away
+
+/// Diagonal of the box around points, m.
+double size_of(const std::vector<Vec3<double>>& points) {
+  Vec3<double> low = points[0], high = points[0];
+  for (const auto& p : points)
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], p[i]);
+      high[i] = std::max(high[i], p[i]);
+    }
+  return norm(high - low);
+}
 
 }  // namespace
 
 Fracture::Fracture(const Problem& problem, FractureLinks links, long max_events)
-    : problem_(problem), links_(std::move(links)), max_events_(max_events), contacts_(problem), cracks_(problem) {}
+    : problem_(problem),
+      links_(std::move(links)),
+      max_events_(max_events),
+      contacts_(problem),
+      cracks_(problem),
+      size_(size_of(problem.discretisation.block_points)) {}
 
 bool Fracture::stop(const std::string& reason) {
   stop_reason_ = reason;
@@ -67,17 +85,27 @@ bool Fracture::hold_free_bodies() {
   return loaded ? stop("block free") : true;
 }
 
+/// Largest displacement component since the last kept equilibrium, m.
+double Fracture::moved() const {
+  const auto u = problem_.backend->read(Field::displacement);
+  double most = 0;
+  for (std::size_t i = 0; i < u.size(); ++i)
+    most = std::max(most, std::abs(u[i] - (kept_.displacement.empty() ? 0.0 : kept_.displacement[i])));
+  return most;
+}
+
 bool Fracture::relax() {
-  // A body that lost its hold may fall back on its neighbours: it floats away if nothing holds it at two looks in a
-  // row.
   std::size_t floating_before = 0;
   bool stopped = false;
-  // A start that balances to rounding leaves no motion to compare the present motion with.
   int looks_in_balance = 0;
   const auto watch = [&](long step, double ratio) {
+    // A start that balances to rounding leaves no motion to compare the present motion with.
     looks_in_balance = ratio <= balance_to_rounding ? looks_in_balance + 1 : 0;
     if (looks_in_balance >= most_looks_in_balance) return true;
     if (!cracks_.can_separate() || step % support_interval != 0) return false;
+    if (moved() > runaway * size_) return stopped = !stop("moves without limit");
+    // A body that lost its hold may fall back on its neighbours: it floats away if nothing holds it at two looks in a
+    // row.
     const auto floating = free_bodies(problem_, contacts_.read()).size();
     if (floating > 0 && floating_before > 0) {
       stopped = !hold_free_bodies();

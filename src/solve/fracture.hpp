@@ -55,6 +55,7 @@ class Fracture {
   };
   State present(double factor);
   void restore(const State& state);
+  double moved() const;
   bool relax();
   bool hold_free_bodies();
   bool reach(double factor);
@@ -68,6 +69,7 @@ class Fracture {
   long max_events_;
   ContactReader contacts_;
   CrackEvents cracks_;
+  double size_;               ///< m, of the whole body
   State kept_;                ///< the last equilibrium without over-strength
   std::vector<double> rate_;  ///< displacement per load factor over the last advance; empty at first
   std::vector<CrackEvent> events_;

@@ -133,12 +133,12 @@ constexpr double degree = 3.14159265358979323846 / 180;
 TEST(fracture, P34_a_block_on_a_slope_stays_up_to_its_friction_angle) {
   const auto model = pair("frictional", {{"friction", 30 * degree}});
   for (const double angle : {29.5, 30.5}) {
-    StaticCase slope(model, {.tolerance = 1e-7, .max_steps = 20000});
+    StaticCase slope(model, {.tolerance = 1e-7});
     slope.fix("bottom", 7);
     slope.gravity(on_slope(angle * degree));
     Fracture stage(slope.problem(), slope.links(), 0);
     EXPECT_EQ(stage.settle(1), angle < 30) << angle;
-    EXPECT_EQ(stage.stop_reason(), angle < 30 ? "converged" : "step limit");
+    EXPECT_EQ(stage.stop_reason(), angle < 30 ? "converged" : "moves without limit");
   }
 }
 
