@@ -186,6 +186,7 @@ void DeckReader::add_argument(const std::string& name, int spec, int values) {
     if (std::find(valid.begin(), valid.end(), key) == valid.end())
       refuse("has an unknown key '" + key + "'" + suggest_name(key, valid));
   }
+  if (!argument_names_.insert(name).second) refuse("is declared a second time");
   Argument argument;
   argument.name = name;
   lua_getfield(L, spec, "doc");
@@ -240,7 +241,6 @@ void DeckReader::add_argument(const std::string& name, int spec, int values) {
              argument_text({ends[0], unit.dimension, unit.celsius}, argument.unit) + " to " +
              argument_text({ends[1], unit.dimension, unit.celsius}, argument.unit));
   }
-  argument_names_.insert(name);
   deck_.arguments.push_back(argument);
   lua_pushvalue(L, value);
   lua_setfield(L, values, name.c_str());
@@ -360,6 +360,25 @@ void DeckReader::read_meshes() {
   }
 }
 
+namespace {
+
+/// A mistake in a loop must not bury the others.
+void raise_first(const Complaints& complaints) {
+  constexpr std::size_t most = 40;
+  try {
+    complaints.raise();
+  } catch (const DeckError& error) {
+    auto lines = error.lines();
+    if (lines.size() <= most) throw;
+    const std::string rest = "... and " + std::to_string(lines.size() - most) + " more mistakes";
+    lines.resize(most);
+    lines.push_back(rest);
+    throw DeckError(lines);
+  }
+}
+
+}  // namespace
+
 Deck read_deck(const std::string& path, const std::map<std::string, std::string>& settings,
                const ScriptLimits& limits) {
   Deck deck;
@@ -373,11 +392,11 @@ Deck read_deck(const std::string& path, const std::map<std::string, std::string>
   } catch (const DeckError& error) {
     for (const auto& line : error.lines()) deck.sandbox->complaints.add({}, line);
   }
-  deck.sandbox->complaints.raise();
+  raise_first(deck.sandbox->complaints);
   const auto sources = deck.sandbox->sources();
   deck.files.insert(deck.files.begin(), sources.begin(), sources.end());
   reader.read_meshes();
-  deck.sandbox->complaints.raise();
+  raise_first(deck.sandbox->complaints);
   return deck;
 }
 

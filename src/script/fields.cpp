@@ -286,14 +286,14 @@ class FieldReader {
   }
 
   /// Handles in a list, lists inside lists included.
-  void read_handles(const KeyRule& rule, int index, NounKind kind, std::vector<int>& into) {
+  void read_handles(const KeyRule& rule, int index, NounKind kind, std::vector<int>& into, int depth = 0) {
+    if (depth > 20) return complain(rule.name, "'" + rule.name + "' has lists inside lists without end");
     if (auto* handle = static_cast<Handle*>(luaL_testudata(L_, index, handle_type)); handle && handle->kind == kind) {
       if (handle->index >= 0) into.push_back(handle->index);
     } else if (kind == NounKind::condition && lua_type(L_, index) == LUA_TTABLE) {
-      luaL_checkstack(L_, 4, "apply: lists too deep");
       for (int i = 1; i <= static_cast<int>(lua_rawlen(L_, index)); ++i) {
         lua_rawgeti(L_, index, i);
-        read_handles(rule, lua_gettop(L_), kind, into);
+        read_handles(rule, lua_gettop(L_), kind, into, depth + 1);
         lua_pop(L_, 1);
       }
     } else {

@@ -261,6 +261,7 @@ int add_expect(const Call& c) {
       c.complain("relative", "'relative' needs a value other than 0; give 'tolerance'");
     const double tolerance =
         f.has("tolerance") ? f.number("tolerance") : f.maybe("relative").value_or(0) * std::abs(value);
+    if (tolerance < 0) c.complain("tolerance", "'tolerance' is negative");
     e.between = {value - tolerance, value + tolerance};
   }
   c.deck.expects.push_back(e);

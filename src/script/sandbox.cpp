@@ -219,6 +219,7 @@ void Sandbox::call(int arguments, int results, long instructions, const std::str
   std::vector<std::string> lines;
   std::istringstream split(message);
   for (std::string line; std::getline(split, line);) lines.push_back(line);
+  if (lines.empty()) lines.push_back(what + ": error() was called without a text");
   throw DeckError(lines);
 }
 

@@ -361,7 +361,8 @@ const std::vector<NounRule>& nouns() {
               "is `value` within `tolerance` or `relative`; or `that` is a function of the result returning true (and, "
               "if it likes, a text). The result offers "
               "stage(name) with .converged .steps .ratio .load_factor .stop_reason .cracks (number of crack events) "
-              ".first_crack (the load factor of the first) .first_crack_place (its .x .y .z) .cracked_area .dissipated_energy .free_blocks, "
+              ".first_crack (the load factor of the first) .first_crack_place (its .x .y .z) .cracked_area "
+              ".dissipated_energy .free_blocks, "
               "and history(name) with .at(column, stage) and .columns.",
        .keys = {key("history", Type::text, "name of a history"),
                 key("component", Type::text, "its column, such as \"displacement.z\""),

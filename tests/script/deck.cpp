@@ -164,6 +164,31 @@ TEST(Deck, BadNumbersInATableAreNamed) {
   }
 }
 
+TEST(Deck, EveryMistakeIsReportedAndALoopDoesNotBuryThem) {
+  EXPECT_EQ(complaint("fix 'a' { x = 0 }\nflux { surface = 's' }\nlocal x = nothing"),
+            "deck.lua:1: fix 'a': missing 'surface': surfaces where it acts: declared with `surface`, or groups of the "
+            "mesh file\n"
+            "deck.lua:2: flux: missing 'value' [W/m^2]: heat per area and time into the body, a number or a function "
+            "of x, y, z\n"
+            "deck.lua:3: unknown name 'nothing'; declare it with 'local' before use");
+  const std::string many = complaint("for i = 1, 1000 do gravity { w = i } end");
+  EXPECT_EQ(std::count(many.begin(), many.end(), '\n'), 40);
+  EXPECT_NE(many.find("... and 960 more mistakes"), std::string::npos);
+}
+
+TEST(Deck, TablesThatHoldThemselvesAndErrorsWithoutTextAreRefused) {
+  EXPECT_EQ(complaint("local t = {}\nt[1] = t\nstage 'a' { apply = t, solve = static {} }"),
+            "deck.lua:3: stage 'a': 'apply' has lists inside lists without end");
+  EXPECT_EQ(complaint("error({})"), "deck.lua: error() was called without a text");
+  EXPECT_EQ(complaint("local a = { default = 1, doc = 'x' }\ndeck.args { a = a }\ndeck.args { a = a }"),
+            "deck.lua:3: deck.args: argument 'a' is declared a second time");
+}
+
+TEST(Deck, ATableInAVariableFallsBackToTheLineOfTheCall) {
+  EXPECT_EQ(complaint("local keys = {\n  surface = 's',\n  z = 5*s,\n}\ndisplacement(keys)"),
+            "deck.lua:5: displacement: 'z' is 5 s; expected a length, such as 2*m");
+}
+
 RunResult finished_run() {
   RunResult result;
   StageResult gravity;
