@@ -1,0 +1,30 @@
+-- Case P12: a free plate of thickness 2c, warm in its middle: T = T0 (1 - z^2 / c^2). Its faces are pulled, its core pressed.
+-- Source: closed form away from the edges, s_x = s_y = E alpha T0 / (1 - nu) (z^2 / c^2 - 1/3).
+-- Accept: 3 % with 16 elements over the thickness.
+-- By symmetry one eighth is modelled, 4 c x 4 c x c with 8 elements over c; planes of symmetry also hold it in place.
+local args = deck.args { elements = { default = "hex8", doc = "hex8, wedge6 or tet4" } }
+local c, warmest, young, poisson, expansion = 1, 20, 20*GPa, 0.2, 1e-5/K
+
+model "plate" {}
+box "plate" { from = { 0, 0, 0 }, to = { 4*c, 4*c, c }, cells = { 8, 8, 8 }, elements = args.elements }
+material "concrete" {
+  region = "plate", young = young, poisson = poisson, density = 2400*kg/m^3, expansion = expansion,
+}
+surface "symmetry" { of = "plate", side = { "left", "front", "bottom" } }
+fix "symmetry" { surface = "symmetry", normal = true }
+temperature_field { value = function(x, y, z) return warmest * (1 - z^2 / c^2) end }
+stage "warm" { solve = static { tolerance = 1e-8 } }
+
+for layer = 0, 7 do
+  local z = (layer + 0.5) / 8
+  if math.abs(z^2 - 1 / 3) > 0.1 then  -- relative accuracy means nothing where the stress changes its sign
+    local name = string.format("z = %.4f", z)
+    history(name) { at = { 0.25, 0.25, z }, record = { "stress" } }
+    for _, component in ipairs { "xx", "yy" } do
+      expect(name .. " " .. component) {
+        history = name, component = "stress." .. component, relative = 0.03,
+        value = 20e9 * 1e-5 * warmest / (1 - poisson) * (z^2 / c^2 - 1 / 3),
+      }
+    end
+  end
+end

@@ -1,0 +1,24 @@
+-- Case P18: steps of dynamic relaxation for dam D0 to an unbalanced force of 1e-6.
+-- Source: independent numpy program, adaptive damping 850 (312 elements) and 1700 (2496), local damping 2150 and 5200.
+-- Accept: at most twice as many.
+-- Runs: damping=adaptive | damping=local | damping=adaptive fine=true | damping=local fine=true
+local args = deck.args {
+  damping = { default = "adaptive", doc = "adaptive or local" },
+  fine    = { default = false, doc = "2496 instead of 312 elements" },
+}
+
+model "d0" {}
+import_mesh { file = "../../tests/data/dam_D0_" .. (args.fine and "r2_ny4" or "r1_ny2") .. ".msh" }
+material "concrete" { region = "concrete", young = 20*GPa, poisson = 0.2, density = 2400*kg/m^3 }
+material "rock"     { region = "rock",     young = 20*GPa, poisson = 0.2, density = 2650*kg/m^3 }
+fix "base"    { surface = "bottom", x = 0, y = 0, z = 0 }
+fix "rollers" { surface = { "xside", "yside" }, normal = true }
+gravity { z = -9.81 }
+water_pressure { surface = "up_wet", level = 55*m }
+stage "gravity" { solve = static { tolerance = 1e-6, damping = args.damping } }
+
+local reference = ({ adaptive = { 850, 1700 }, ["local"] = { 2150, 5200 } })[args.damping][args.fine and 2 or 1]
+expect "steps" { that = function(result)
+  local steps = result.stage("gravity").steps
+  return steps <= 2 * reference, string.format("%d steps, numpy %d", steps, reference)
+end }
