@@ -23,7 +23,7 @@ enum class Phase : std::uint8_t {
   move_nodes,          ///< velocity, then displacement
   keep_force,          ///< remember the force for the next stiffness estimate
   relaxation_sums,     ///< partial sums behind Backend::relaxation_sums
-  stiffness_bound,     ///< Gershgorin bound of the stiffness at every node, into Field::stiffness
+  stiffness_bound,     ///< Gershgorin bound of the blocks' stiffness at every node, into Field::stiffness
   block_stress,        ///< Gauss-point stress for output
   spring_utilisation,  ///< share of its strength that each contact point uses, into Field::utilisation
   spring_crossing,     ///< where between Field::displacement_before and now it reached its strength, into
@@ -92,6 +92,13 @@ struct HeatMeasure {
   double along = 0;           ///< direction . Field::heat_flow, W K
 };
 
+/// Groups of nodes that relaxation moves together (see GroupView), machine's numbering.
+struct NodeGroups {
+  std::vector<int> first{0};  ///< [groups + 1] into member
+  std::vector<int> member;    ///< [block nodes] every node once
+  std::vector<double> pull;   ///< [groups] 1/kg
+};
+
 /// What a backend is built from. The model's laws by material; everything is copied to the machine.
 struct Setup {
   const Discretisation& discretisation;
@@ -113,6 +120,8 @@ class Backend {
   double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
   virtual RelaxationMeasure relaxation_sums() = 0;
   virtual HeatMeasure heat_sums() = 0;
+  /// Every node is by itself until groups are written.
+  virtual void write_groups(const NodeGroups& groups) = 0;
   /// Exchange with the surroundings, nodes numbered as on the machine.
   virtual void write_films(const FilmMatrix& films) = 0;
   virtual std::size_t size(Field field) const = 0;

@@ -124,6 +124,7 @@ class Phases final : public Backend {
     partial_.resize(3 * std::size_t(d.blocks.entry_count()));
     warming_.resize(d.gauss_count);
     stress_.resize(6 * std::size_t(d.gauss_count));
+    groups_.group_count = static_cast<int>(nodes);
     chunk_sums_.resize(relaxation_sum_count * chunks());
     body_ = {.nodes = blocks_.view(),
              .x = x_.data(),
@@ -148,9 +149,11 @@ class Phases final : public Backend {
     switch (phase) {
       case Phase::block_force: return each_batch([&](auto element, auto law, int b) { block_force(element, law, b); });
       case Phase::gather_force: return gather_boundary(body_.force);
-      case Phase::move_nodes: return exec_.for_each(node_count(), MoveNodes<Real>{body_, step_damping(controls)});
+      case Phase::move_nodes:
+        return exec_.for_each(groups_.group_count, MoveNodes<Real>{body_, groups_, step_damping(controls)});
       case Phase::keep_force: return exec_.for_each(node_count(), KeepForce<Real>{body_});
-      case Phase::relaxation_sums: return exec_.for_each(chunks(), RelaxationSums<Real>{body_, chunk_sums_.data()});
+      case Phase::relaxation_sums:
+        return exec_.for_each(chunks(), RelaxationSums<Real>{body_, groups_, chunk_sums_.data()});
       case Phase::stiffness_bound: return stiffness_bound();
       case Phase::block_stress:
         return each_batch([&](auto element, auto law, int b) { block_stress(element, law, b); });
@@ -193,6 +196,16 @@ class Phases final : public Backend {
             s[sum_motion]};
   }
 
+  void write_groups(const NodeGroups& groups) override {
+    group_first_.assign(groups.first);
+    group_member_.assign(groups.member);
+    group_pull_.assign(std::vector<Real>(groups.pull.begin(), groups.pull.end()));
+    groups_ = {.group_count = static_cast<int>(groups.pull.size()),
+               .first = group_first_.data(),
+               .member = group_member_.data(),
+               .pull = group_pull_.data()};
+    chunk_sums_.resize(relaxation_sum_count * chunks());
+  }
   HeatMeasure heat_sums() override { return heat_.sums(exec_); }
   void write_films(const FilmMatrix& films) override { heat_.write_films(films); }
 
@@ -218,7 +231,7 @@ class Phases final : public Backend {
 
   int node_count() const { return body_.nodes.node_count; }
   int contact_count() const { return springs_.view().contact_count; }
-  int chunks() const { return (discretisation_.blocks.node_count + chunk_nodes - 1) / chunk_nodes; }
+  int chunks() const { return (groups_.group_count + chunk_nodes - 1) / chunk_nodes; }
 
   static StepDamping<Real> step_damping(const Controls& c) {
     return {Real(c.local_damping), Real((2 - c.viscous_damping) / (2 + c.viscous_damping)),
@@ -275,7 +288,6 @@ class Phases final : public Backend {
     exec_.for_each(body_.nodes.entry_count,
                    GatherPatch<Real, 3>{body_.nodes, body_.corner_force, body_.partial, body_.force});
     gather_boundary(body_.force);
-    exec_.for_each(springs_.view().node_count, SpringBound<Real>{springs_.view(), body_.force});
     exec_.for_each(node_count(), LargestComponent<Real>{body_.force, stiffness_.data()});
   }
   template <template <class> class E, class Point>
@@ -334,6 +346,9 @@ class Phases final : public Backend {
   Array<std::uint8_t> fixed_;
   Array<double> chunk_sums_;
   BodyView<Real> body_;
+  Array<int> group_first_, group_member_;
+  Array<Real> group_pull_;
+  GroupView<Real> groups_;
   bool warm_ = false;
 };
 

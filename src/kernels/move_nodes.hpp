@@ -13,25 +13,47 @@ struct StepDamping {
   Real gain = 1;   ///< 2 / (2 + c)
 };
 
+/// One group of nodes -> its velocities and displacements.
 template <class Real>
 struct MoveNodes {
   BodyView<Real> body;
+  GroupView<Real> groups;
   StepDamping<Real> damping;
 
-  ASHLAR_HD void operator()(int node) const {
-    const Real scale = damping.gain * body.inverse_mass[node];
-    const unsigned fixed = body.fixed[node];
+  ASHLAR_HD void operator()(int group) const {
     for (int c = 0; c < 3; ++c) {
-      const int i = 3 * node + c;
-      if ((fixed >> c) & 1u) continue;
-      Real f = body.load[i] - body.force[i];
-      const Real v = body.v[i];
-      const Real sign = Real((v > Real(0)) - (v < Real(0)));
-      f = fma(-damping.local * (f < Real(0) ? -f : f), sign, f);
-      const Real moved = fma(damping.keep, v, scale * f);
-      body.v[i] = moved;
-      body.u[i] += moved;
+      const Real shared = shared_pull(group, c);
+      for (int j = groups.begin(group); j < groups.end(group); ++j) {
+        const int node = groups.node(j);
+        if (held(node, c)) continue;
+        const int i = 3 * node + c;
+        const Real moved =
+            fma(damping.keep, body.v[i], damping.gain * fma(body.inverse_mass[node], damped_force(i), shared));
+        body.v[i] = moved;
+        body.u[i] += moved;
+      }
     }
+  }
+
+ private:
+  ASHLAR_HD bool held(int node, int c) const { return (unsigned(body.fixed[node]) >> c) & 1u; }
+
+  ASHLAR_HD Real damped_force(int i) const {
+    const Real f = body.load[i] - body.force[i];
+    const Real v = body.v[i];
+    const Real sign = Real((v > Real(0)) - (v < Real(0)));
+    return fma(-damping.local * (f < Real(0) ? -f : f), sign, f);
+  }
+
+  /// Acceleration of the whole group by the sum of its forces; none where a support holds one of its nodes.
+  ASHLAR_HD Real shared_pull(int group, int c) const {
+    if (groups.single(group)) return Real(0);
+    Real sum = Real(0);
+    for (int j = groups.begin(group); j < groups.end(group); ++j) {
+      if (held(groups.node(j), c)) return Real(0);
+      sum += damped_force(3 * groups.node(j) + c);
+    }
+    return groups.pull[group] * sum;
   }
 };
 

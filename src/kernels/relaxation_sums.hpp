@@ -1,8 +1,8 @@
 #pragma once
 #include "model/view.hpp"
 
-/// Sums that relaxation decides by, over fixed chunks of nodes in index order, in double: the same on every machine and
-/// for every number of threads (numerics 8).
+/// Sums that relaxation decides by, over fixed chunks of node groups in index order, in double: the same on every
+/// machine and for every number of threads (numerics 8).
 namespace ashlar {
 
 inline constexpr int chunk_nodes = 256;
@@ -20,36 +20,52 @@ enum RelaxationSum : int {
   relaxation_sum_count
 };
 
+/// One chunk of node groups -> its sums.
 template <class Real>
 struct RelaxationSums {
   BodyView<Real> body;
+  GroupView<Real> groups;
   double* chunk_sums;  ///< [relaxation_sum_count * chunks]
 
   ASHLAR_HD void operator()(int chunk) const {
     double s[relaxation_sum_count] = {};
     const int first = chunk * chunk_nodes;
-    const int last = first + chunk_nodes < body.nodes.node_count ? first + chunk_nodes : body.nodes.node_count;
-    for (int node = first; node < last; ++node) {
-      const double mass = 1.0 / double(body.inverse_mass[node]);
-      const unsigned fixed = body.fixed[node];
-      for (int c = 0; c < 3; ++c) {
-        const int i = 3 * node + c;
-        const double load = body.load[i], force = body.force[i], u = body.u[i], v = body.v[i];
-        const double residual = load - force;
-        s[sum_load] += load * load;
-        s[sum_load_work] += u * load;
-        s[sum_force_work] += u * force;
-        if ((fixed >> c) & 1u) {
-          s[sum_reaction] += residual * residual;
-        } else {
-          s[sum_unbalanced] += residual * residual;
-          s[sum_kinetic] += 0.5 * (mass * v * v);
-          s[sum_curvature] += v * (force - double(body.kept_force[i]));
-          s[sum_motion] += mass * v * v;
-        }
+    const int last = first + chunk_nodes < groups.group_count ? first + chunk_nodes : groups.group_count;
+    for (int group = first; group < last; ++group)
+      for (int c = 0; c < 3; ++c) add_component(group, c, s);
+    for (int k = 0; k < relaxation_sum_count; ++k) chunk_sums[chunk * relaxation_sum_count + k] = s[k];
+  }
+
+ private:
+  ASHLAR_HD void add_component(int group, int c, double* s) const {
+    double motion = 0, momentum = 0, mass_of_group = 0;
+    bool any_held = false;
+    for (int j = groups.begin(group); j < groups.end(group); ++j) {
+      const int node = groups.node(j), i = 3 * node + c;
+      const double load = body.load[i], force = body.force[i], u = body.u[i], v = body.v[i];
+      const double residual = load - force;
+      s[sum_load] += load * load;
+      s[sum_load_work] += u * load;
+      s[sum_force_work] += u * force;
+      if ((unsigned(body.fixed[node]) >> c) & 1u) {
+        s[sum_reaction] += residual * residual;
+        any_held = true;
+      } else {
+        const double mass = 1.0 / double(body.inverse_mass[node]);
+        s[sum_unbalanced] += residual * residual;
+        s[sum_curvature] += v * (force - double(body.kept_force[i]));
+        motion += mass * v * v;
+        momentum += mass * v;
+        mass_of_group += mass;
       }
     }
-    for (int k = 0; k < relaxation_sum_count; ++k) chunk_sums[chunk * relaxation_sum_count + k] = s[k];
+    // v . M v of the group, M the inverse of diag(1/m) + pull ones ones^T (Sherman and Morrison).
+    if (!any_held && !groups.single(group)) {
+      const double pull = groups.pull[group];
+      motion -= pull / (1.0 + pull * mass_of_group) * momentum * momentum;
+    }
+    s[sum_motion] += motion;
+    s[sum_kinetic] += 0.5 * motion;
   }
 };
 

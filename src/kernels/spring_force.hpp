@@ -38,30 +38,4 @@ struct GatherSpring {
   }
 };
 
-/// One node with springs -> adds the absolute row sums of their stiffness, all contacts closed, to its three
-/// components: the springs' part of the virtual mass (numerics 3). A row holds the node itself and the other side:
-/// twice the block A k.
-template <class Real>
-struct SpringBound {
-  SpringView<Real> springs;
-  Real* row_sum;  ///< [3 * block nodes] N/m
-
-  ASHLAR_HD void operator()(int i) const {
-    for (int j = springs.node_first[i]; j < springs.node_first[i + 1]; ++j) {
-      const int entry = springs.node_contact[j], c = entry < 0 ? -1 - entry : entry;
-      if (springs.node_a[c] == springs.node_b[c]) continue;  // the tip of a joint: no relative displacement
-      const auto n = springs.normal_of(c);
-      const auto k = springs.stiffness_of(c);
-      for (int row = 0; row < 3; ++row) {
-        Real sum = Real(0);
-        for (int column = 0; column < 3; ++column) {
-          const Real part = fma((k.normal - k.shear) * n[row], n[column], row == column ? k.shear : Real(0));
-          sum += part < Real(0) ? -part : part;
-        }
-        row_sum[3 * springs.node[i] + row] = fma(Real(2) * springs.area[c], sum, row_sum[3 * springs.node[i] + row]);
-      }
-    }
-  }
-};
-
 }  // namespace ashlar

@@ -20,6 +20,22 @@ struct NodeSetView {
   const int* boundary_entry = nullptr;
 };
 
+/// Nodes that move together: copies of one mesh node that bonded springs tie. Without springs every node is by itself.
+/// Relaxation gives a group two masses, one for its mean motion, which bonded springs do not feel, and one for motion
+/// against each other, which they do: M^-1 = diag(1/m) + pull * (ones ones^T) on each group (see
+/// solve/virtual_mass.hpp).
+template <class Real>
+struct GroupView {
+  int group_count = 0;
+  const int* first = nullptr;   ///< [groups + 1] into member; null: group g is node g
+  const int* member = nullptr;  ///< [nodes]
+  const Real* pull = nullptr;   ///< [groups] 1/kg
+  ASHLAR_HD int begin(int g) const { return first ? first[g] : g; }
+  ASHLAR_HD int end(int g) const { return first ? first[g + 1] : g + 1; }
+  ASHLAR_HD int node(int j) const { return member ? member[j] : j; }
+  ASHLAR_HD bool single(int g) const { return end(g) - begin(g) == 1; }
+};
+
 /// A contiguous run of elements of one batch: what an element kernel loops over.
 struct BatchView {
   int element_count = 0;

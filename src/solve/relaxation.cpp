@@ -12,11 +12,6 @@ constexpr double most_damping = 1.9;  // bound of the viscous coefficient of one
 constexpr double local_alpha = 0.8;   // Cundall's usual value
 constexpr double viscous_default = 0.02;
 
-double alpha_of(const Relaxation& r) {
-  if (r.damping != Damping::local) return 0;
-  return r.damping_value > 0 ? r.damping_value : local_alpha;
-}
-
 /// Coefficient near critical damping of the lowest mode that still moves (Underwood 1983, in the incremental form that
 /// stays valid after prestress).
 double adaptive_damping(const RelaxationMeasure& m) {
@@ -32,12 +27,9 @@ double force_ratio(const RelaxationMeasure& m, double thermal_load) {
 
 }  // namespace
 
-void set_virtual_mass(Backend& backend, const Relaxation& relaxation) {
-  backend.run(Phase::stiffness_bound);
-  std::vector<double> inverse_mass = backend.read(Field::stiffness);
-  const double factor = 1.05 * (1 + alpha_of(relaxation)) / 4 / (relaxation.step_factor * relaxation.step_factor);
-  for (double& m : inverse_mass) m = 1 / (factor * m);
-  backend.write(Field::inverse_mass, inverse_mass);
+double local_damping(const Relaxation& r) {
+  if (r.damping != Damping::local) return 0;
+  return r.damping_value > 0 ? r.damping_value : local_alpha;
 }
 
 void evaluate_force(Backend& backend) {
@@ -60,7 +52,7 @@ double thermal_load_norm(Backend& backend) {
 Equilibrium relax(Backend& backend, const Relaxation& relaxation, double thermal_load, const RelaxationWatch& watch) {
   backend.write(Field::velocity, std::vector<double>(backend.size(Field::velocity), 0.0));
   Controls controls;
-  controls.local_damping = alpha_of(relaxation);
+  controls.local_damping = local_damping(relaxation);
   if (relaxation.damping == Damping::viscous)
     controls.viscous_damping = relaxation.damping_value > 0 ? relaxation.damping_value : viscous_default;
   const long limit = relaxation.max_steps > 0 ? relaxation.max_steps : 1000000;

@@ -12,20 +12,19 @@ struct Equilibrium {
   bool converged = false;
   bool interrupted = false;
   long steps = 0;
-  double ratio = 1;          ///< unbalanced force ratio
-  std::string stop_reason;   ///< "converged", "step limit", "not finite (...)", "interrupted"
+  double ratio = 1;         ///< unbalanced force ratio
+  std::string stop_reason;  ///< "converged", "step limit", "not finite (...)", "interrupted"
 };
 
 /// Called every few steps with the steps done and the ratio; true stops the relaxation.
 using RelaxationWatch = std::function<bool(long steps, double ratio)>;
 
-/// Virtual mass of every node from the stiffness bound, for unit steps: m = 1.05 (1 + alpha) / 4 * row sums / step_factor^2,
-/// alpha the local damping. To be set again when stiffness changes, not when loads do.
-void set_virtual_mass(Backend& backend, const Relaxation& relaxation);
-
 /// Steps until load and internal force balance, from the displacement in the backend; velocity starts at zero.
 /// @param thermal_load norm of the internal force that the temperature alone makes, N: a scale for the ratio
 Equilibrium relax(Backend& backend, const Relaxation& relaxation, double thermal_load, const RelaxationWatch& watch);
+
+/// Local damping coefficient that the relaxation uses: 0 unless its damping is local.
+double local_damping(const Relaxation& relaxation);
 
 /// Internal and contact force at the present displacement, into Field::force.
 void evaluate_force(Backend& backend);

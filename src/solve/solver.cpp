@@ -10,6 +10,7 @@
 #include "solve/relaxation.hpp"
 #include "solve/stage_conditions.hpp"
 #include "solve/thermal.hpp"
+#include "solve/virtual_mass.hpp"
 
 namespace ashlar {
 
@@ -133,12 +134,12 @@ class Run {
         u[conditions.prescribed[i]] = conditions.displacement[i];
       backend.write(Field::displacement, problem_.to_machine(u, 3));
     }
-    set_virtual_mass(backend, relaxation);
 
     FractureLinks links;
     links.surface_load = problem_.to_machine(conditions.surface_load, 3);
     recorder_.surface_load(std::move(conditions.surface_load));
     links.relax = [this, &relaxation](const RelaxationWatch& watch) {
+      set_virtual_mass(problem_, relaxation);
       double start = 0;
       Equilibrium e = relax(*problem_.backend, relaxation, thermal_load_, [&](long step, double ratio) {
         if (start == 0) start = ratio;

@@ -4,6 +4,7 @@
 #include "model/conditions.hpp"
 #include "model/loads.hpp"
 #include "solve/fracture.hpp"
+#include "solve/virtual_mass.hpp"
 
 /// One static or fracture stage on a model built by hand, without the deck and the staging around it.
 namespace ashlar::test {
@@ -16,7 +17,6 @@ class StaticCase {
         relaxation_(relaxation),
         fixed_(problem_.blocks.node_count()),
         load_(3 * problem_.blocks.node_count()) {
-    set_virtual_mass(*problem_.backend, relaxation_);
   }
 
   Problem& problem() { return problem_; }
@@ -52,6 +52,7 @@ class StaticCase {
   FractureLinks links() {
     FractureLinks links;
     links.relax = [this](const RelaxationWatch& watch) {
+      set_virtual_mass(problem_, relaxation_);
       return relax(*problem_.backend, relaxation_, thermal_load_norm(*problem_.backend), watch);
     };
     return links;
