@@ -144,7 +144,7 @@ struct SampleRun {
       writer.stage_ends(stage);
       result.stages.push_back(stage);
     }
-    writer.finish(result, {{"crest settles", true, "-12 mm"}});
+    writer.finish(result, {{"crest settles", true, "-12 mm", -0.012, std::array{-0.02, -0.01}}});
   }
   nlohmann::json manifest() const { return nlohmann::json::parse(text_of(folder.file("manifest.json"))); }
 };
@@ -162,6 +162,8 @@ TEST(RunWriter, manifest_says_what_ran_on_what_and_which_files_it_left) {
   EXPECT_EQ(manifest["stages"][1]["phase_seconds"]["block_force"], 0.25);
   EXPECT_EQ(manifest["pictures"][0]["of"], "broken");
   EXPECT_EQ(manifest["expects"][0]["passed"], true);
+  EXPECT_EQ(manifest["expects"][0]["found"], -0.012);
+  EXPECT_EQ(manifest["expects"][0]["between"], (std::vector<double>{-0.02, -0.01}));
   const std::vector<std::string> files = manifest["files"];
   EXPECT_EQ(files, (std::vector<std::string>{"manifest.json", "log.jsonl", "dam.lua", "results.vtkhdf", "results.xdmf",
                                              "interfaces.vtkhdf", "interfaces.xdmf", "history_crest.csv"}));
