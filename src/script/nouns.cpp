@@ -35,6 +35,8 @@ struct Call {
   }
 };
 
+constexpr double most_elements = 1e9;
+
 Shape shape(const Fields& f) {
   const auto text = f.text("elements");
   return text == "wedge6" ? Shape::wedge6 : text == "tet4" ? Shape::tet4 : Shape::hex8;
@@ -90,6 +92,11 @@ int add_box(const Call& c) {
     if (count > 1e6) c.complain("size", "'size' gives " + decimal_text(count) + " elements along one side");
     box.cells[i] = static_cast<int>(std::min(count, 1e6));
   }
+  const double elements = 1.0 * box.cells[0] * box.cells[1] * box.cells[2];
+  if (elements > most_elements)
+    c.complain(
+        f.has("cells") ? "cells" : "size",
+        "makes " + decimal_text(elements) + " elements; no machine holds more than " + decimal_text(most_elements));
   c.model().boxes.push_back(box);
   return 0;
 }

@@ -225,8 +225,10 @@ void Sandbox::call(int arguments, int results, long instructions, const std::str
 
 void Sandbox::run_text(const std::string& text, const std::string& name) {
   if (luaL_loadbufferx(L_, text.data(), text.size(), name.c_str(), "t") != LUA_OK) {
-    const std::string message = text_at(L_, -1);
+    std::string message = text_at(L_, -1);
     lua_pop(L_, 1);
+    if (message.find("malformed number") != std::string::npos) message += "; a unit is multiplied: 30*GPa";
+    if (message.find("'}' expected") != std::string::npos) message += "; is a comma or a brace missing before it?";
     throw DeckError(std::vector{message});
   }
   call(0, 0, limits.instructions, deck);

@@ -1,0 +1,2 @@
+model "column" {}
+local young = 30GPa
