@@ -61,7 +61,7 @@ void Fracture::keep(double factor, bool smooth) {
   kept_ = std::move(now);
 }
 
-/// Holds every body that nothing keeps in place where it is, so that it takes no further part.
+/// Holds every body that nothing keeps in place where it is, free to deform, so that it takes no further part.
 /// False: one of them carries a load other than its weight.
 bool Fracture::hold_free_bodies() {
   const auto bodies = free_bodies(problem_, contacts_.read());
@@ -71,13 +71,13 @@ bool Fracture::hold_free_bodies() {
   bool loaded = false;
   for (const auto& body : bodies) {
     free_blocks_.insert(free_blocks_.end(), body.blocks.begin(), body.blocks.end());
-    for (const int n : body.nodes) {
-      fixed[n] = 7;
+    for (const int component : body.supports)
+      fixed[component / 3] = static_cast<double>(static_cast<int>(fixed[component / 3]) | 1 << component % 3);
+    for (const int n : body.nodes)
       for (int i = 0; i < 3; ++i) {
         velocity[3 * n + i] = 0;
         loaded = loaded || (!links_.surface_load.empty() && links_.surface_load[3 * n + i] != 0);
       }
-    }
   }
   std::sort(free_blocks_.begin(), free_blocks_.end());
   backend.write(Field::fixed, fixed);
@@ -129,6 +129,8 @@ bool Fracture::relax() {
 
 bool Fracture::settle(double load_factor) {
   const std::size_t events_before = events_.size();
+  // Bodies that an earlier stage left floating stay where they are.
+  if (steps_ == 0 && cracks_.can_separate() && !hold_free_bodies()) return false;
   if (!relax()) return false;
   while (cracks_.largest_utilisation() >= 1) {
     if (static_cast<long>(events_.size()) >= max_events_) return stop("event limit");

@@ -8,30 +8,68 @@ namespace ashlar {
 
 namespace {
 
-/// Whether held components keep a body from every rigid movement: their rows (direction, moment arm) have rank six.
-bool holds_a_rigid_body(const std::vector<Vec3<double>>& points, const std::vector<unsigned>& held) {
-  Vec3<double> low = points[0], high = points[0];
-  for (const auto& p : points)
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], p[i]);
-      high[i] = std::max(high[i], p[i]);
+using Row = Eigen::Matrix<double, 6, 1>;
+
+/// What held components do to the six rigid movements of a body: an orthonormal basis of those that they stop.
+class StoppedMovements {
+ public:
+  explicit StoppedMovements(const std::vector<Vec3<double>>& points) {
+    Vec3<double> low = points[0], high = points[0];
+    for (const auto& p : points)
+      for (int i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], p[i]);
+        high[i] = std::max(high[i], p[i]);
+      }
+    centre_ = 0.5 * (low + high);
+    size_ = norm(high - low);
+  }
+  /// Part of the movement stopped by holding `axis` at `point` that nothing has stopped yet.
+  Row still_free(const Vec3<double>& point, int axis) const {
+    Vec3<double> direction;
+    direction[axis] = 1;
+    const Vec3<double> arm = cross((2 / size_) * (point - centre_), direction);
+    Row row;
+    row << direction.x, direction.y, direction.z, arm.x, arm.y, arm.z;
+    for (int k = 0; k < count_; ++k) row -= row.dot(basis_[k]) * basis_[k];
+    return row;
+  }
+  bool all() const { return count_ == 6; }
+  void stop(const Row& row) { basis_[count_++] = row.normalized(); }
+
+ private:
+  Vec3<double> centre_;
+  double size_ = 0;
+  Row basis_[6];
+  int count_ = 0;
+};
+
+/// Components that have to be held beside the held ones to stop every rigid movement, as few as that takes and each the
+/// one that stops most of what is still free. `held` bits 0 1 2: x y z. As pairs of index into points and axis.
+std::vector<std::pair<int, int>> missing_supports(const std::vector<Vec3<double>>& points,
+                                                  const std::vector<unsigned>& held) {
+  constexpr double negligible = 1e-4;  // of a unit movement
+  StoppedMovements stopped(points);
+  for (std::size_t n = 0; n < points.size() && !stopped.all(); ++n)
+    for (int axis = 0; axis < 3 && !stopped.all(); ++axis) {
+      if (!((held[n] >> axis) & 1u)) continue;
+      const Row row = stopped.still_free(points[n], axis);
+      if (row.norm() > negligible) stopped.stop(row);
     }
-  const Vec3<double> centre = 0.5 * (low + high);
-  const double size = norm(high - low);
-  Eigen::Matrix<double, 6, 6> gram = Eigen::Matrix<double, 6, 6>::Zero();
-  for (std::size_t n = 0; n < points.size(); ++n)
-    for (int i = 0; i < 3; ++i) {
-      if (!((held[n] >> i) & 1u)) continue;
-      Vec3<double> direction;
-      direction[i] = 1;
-      const Vec3<double> arm = cross((1 / size) * (points[n] - centre), direction);
-      Eigen::Matrix<double, 6, 1> row;
-      row << direction.x, direction.y, direction.z, arm.x, arm.y, arm.z;
-      gram += row * row.transpose();
-    }
-  const auto values =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(gram, Eigen::EigenvaluesOnly).eigenvalues();
-  return values[0] > 1e-9 * values[5];
+  std::vector<std::pair<int, int>> supports;
+  while (!stopped.all()) {
+    Row most = Row::Zero();
+    std::pair<int, int> best;
+    for (std::size_t n = 0; n < points.size(); ++n)
+      for (int axis = 0; axis < 3; ++axis) {
+        const Row row = stopped.still_free(points[n], axis);
+        if (row.norm() <= most.norm() * (1 + 1e-9)) continue;
+        most = row;
+        best = {static_cast<int>(n), axis};
+      }
+    stopped.stop(most);
+    supports.push_back(best);
+  }
+  return supports;
 }
 
 }  // namespace
@@ -65,17 +103,19 @@ std::vector<FreeBody> free_bodies(const Problem& problem, const std::vector<Cont
   for (int b = 0; b < blocks.block_count; ++b) {
     if (find(b) != b) continue;
     std::vector<int>& nodes = nodes_of[b];
+    std::sort(nodes.begin(), nodes.end());
     std::vector<Vec3<double>> points;
     std::vector<unsigned> held;
     for (const int n : nodes) {
       points.push_back(problem.discretisation.block_points[n]);
       held.push_back(static_cast<unsigned>(fixed[n]));
     }
-    if (holds_a_rigid_body(points, held)) continue;
+    const auto missing = missing_supports(points, held);
+    if (missing.empty()) continue;
     FreeBody floating;
+    for (const auto& [n, axis] : missing) floating.supports.push_back(3 * nodes[n] + axis);
     for (int other = 0; other < blocks.block_count; ++other)
       if (find(other) == b) floating.blocks.push_back(other);
-    std::sort(nodes.begin(), nodes.end());
     floating.nodes = std::move(nodes);
     free.push_back(std::move(floating));
   }

@@ -9,8 +9,9 @@ namespace ashlar {
 /// Blocks that hold each other (contacts bonded or pressed together) but are not kept from moving as a rigid body: the
 /// held components of their nodes leave at least one of the six rigid movements free.
 struct FreeBody {
-  std::vector<int> blocks;  ///< Blocks numbering, ascending
-  std::vector<int> nodes;   ///< block nodes in the machine's numbering, ascending
+  std::vector<int> blocks;    ///< Blocks numbering, ascending
+  std::vector<int> nodes;     ///< block nodes in the machine's numbering, ascending
+  std::vector<int> supports;  ///< components 3 * node + axis that, held as well, stop it and let it deform freely
 };
 
 /// At the present state; `contacts` as read. Ordered by first block.

@@ -67,5 +67,20 @@ TEST(free_bodies, rollers_that_leave_a_movement_free_do_not_hold) {
   EXPECT_TRUE(free_of(blocks).empty());
 }
 
+TEST(free_bodies, their_supports_stop_all_six_movements_and_no_more) {
+  const auto model = row(2);
+  StaticCase blocks(model, {});
+  blocks.fix("left", 7);
+  spread(blocks, 1e-6);
+  auto free = free_of(blocks);
+  ASSERT_EQ(free.size(), 1u);
+  EXPECT_EQ(free[0].supports.size(), 6u);
+  auto fixed = blocks.problem().backend->read(Field::fixed);
+  for (const int component : free[0].supports)
+    fixed[component / 3] = static_cast<int>(fixed[component / 3]) | 1 << component % 3;
+  blocks.problem().backend->write(Field::fixed, fixed);
+  EXPECT_TRUE(free_of(blocks).empty());
+}
+
 }  // namespace
 }  // namespace ashlar
