@@ -142,12 +142,23 @@ std::string solve_words(const Stage& stage) {
               f.relaxation.tolerance);
 }
 
+/// Whether a condition has a say in such a stage: heat in thermal ones, forces and supports in the others.
+bool matters(const Condition& condition, const Stage& stage) {
+  const bool thermal_stage = std::holds_alternative<ThermalSolve>(stage.solve);
+  if (std::holds_alternative<TemperatureField>(condition.kind)) return true;
+  return thermal_stage == (std::holds_alternative<FixedTemperature>(condition.kind) ||
+                           std::holds_alternative<Convection>(condition.kind) ||
+                           std::holds_alternative<Flux>(condition.kind) ||
+                           std::holds_alternative<InitialTemperature>(condition.kind));
+}
+
 void describe_plan(Page& page, const Model& model) {
   for (std::size_t i = 0; i < model.stages.size(); ++i) {
     page.line("stage", text("%zu %s: %s", i + 1, model.stages[i].name.c_str(), solve_words(model.stages[i]).c_str()));
     std::string names;
     for (const ActingCondition& acting : acting_conditions(model, static_cast<int>(i))) {
       const Condition& c = *acting.condition;
+      if (!matters(c, model.stages[i])) continue;
       std::string name = c.noun + (c.name.empty() ? "" : " " + c.name);
       for (const Surface* surface : acting.surfaces)
         if (c.name.empty()) name += (surface == acting.surfaces.front() ? " on " : " and ") + surface->name;

@@ -55,12 +55,13 @@ std::vector<std::string> estimate_effort(const Model& model, const Blocks& block
   for (const Stage& stage : model.stages) {
     const Relaxation* relaxation = relaxation_of(stage);
     if (!relaxation) continue;
-    const double steps = per_decade * -std::log10(relaxation->tolerance);
+    const auto* fracture = std::get_if<FractureSolve>(&stage.solve);
+    // Increments and crack events start from an equilibrium nearby.
+    const double steps = (fracture ? 1 / 3.0 : 1.0) * per_decade * -std::log10(relaxation->tolerance);
     const double seconds = steps * model.mesh.element_count() / element_steps_per_second;
     std::string line = text("stage %s: about %s steps, %s", stage.name.c_str(), rounded(steps).c_str(),
                             duration_text(seconds).c_str());
-    if (const auto* f = std::get_if<FractureSolve>(&stage.solve))
-      line += text(", for each of %d increments and of the crack events", f->increments);
+    if (fracture) line += text(", for each of %d increments and of the crack events", fracture->increments);
     lines.push_back(line);
   }
   return lines;
