@@ -27,7 +27,7 @@ int info_command(const Arguments& arguments) {
   if (arguments.operands.empty()) {
     Page page;
     page.line("ashlar", ASHLAR_VERSION ", built by " ASHLAR_COMPILER);
-    page.line("machine", counted(omp_get_num_procs(), "core") + ", no GPU backend in this build");
+    page.line("machine", counted(omp_get_num_procs(), "core") + "; runs use the CPU");
     std::fputs(page.lines().c_str(), stdout);
     return 0;
   }
