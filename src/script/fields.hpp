@@ -36,7 +36,7 @@ class Fields {
   bool flag(const std::string& key) const { return number(key) != 0; }
   std::string text(const std::string& key) const { return has(key) ? values_.at(key).texts.at(0) : ""; }
   std::vector<std::string> texts(const std::string& key) const;
-  /// Pairs of an `integers` table with keys or of renames: key, value.
+  /// Key and value of a `counts` or `renames` table, as texts.
   const std::map<std::string, std::string>& renames(const std::string& key) const { return values_.at(key).renames; }
   const Value& value(const std::string& key) const { return values_.at(key).value; }
   std::optional<Value> maybe_value(const std::string& key) const;
