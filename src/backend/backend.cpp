@@ -7,7 +7,8 @@ namespace ashlar {
 void Backend::run(Phase phase, const Controls& controls) {
   const auto start = std::chrono::steady_clock::now();
   run_phase(phase, controls);
-  seconds_[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  seconds_[static_cast<std::size_t>(phase)] +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 const char* phase_name(Phase phase) {
@@ -30,6 +31,11 @@ const char* phase_name(Phase phase) {
     case Phase::search_flow: return "search_flow";
     case Phase::advance_search: return "advance_search";
     case Phase::turn_search: return "turn_search";
+    case Phase::balance_residual: return "balance_residual";
+    case Phase::balance_precondition: return "balance_precondition";
+    case Phase::balance_turn: return "balance_turn";
+    case Phase::balance_product: return "balance_product";
+    case Phase::balance_advance: return "balance_advance";
     case Phase::gauss_temperature: return "gauss_temperature";
     case Phase::count: break;
   }

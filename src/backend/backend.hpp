@@ -17,26 +17,31 @@ namespace ashlar {
 
 /// One named piece of a step: the unit of order, timing and test.
 enum class Phase : std::uint8_t {
-  block_force,         ///< element corner forces
-  gather_force,        ///< corner forces to nodes
-  spring_force,        ///< contact springs, added to nodes
-  move_nodes,          ///< velocity, then displacement
-  keep_force,          ///< remember the force for the next stiffness estimate
-  relaxation_sums,     ///< partial sums behind Backend::relaxation_sums
-  stiffness_bound,     ///< Gershgorin bound of the blocks' stiffness at every node, into Field::stiffness
-  block_stress,        ///< Gauss-point stress for output
-  spring_utilisation,  ///< share of its strength that each contact point uses, into Field::utilisation
-  spring_crossing,     ///< where between Field::displacement_before and now it reached its strength, into
-                       ///< Field::utilisation
-  break_springs,       ///< cracks contact points at or above Controls::break_threshold
-  heat_flow,           ///< conduction and film at the present temperature, into Field::heat_flow
-  step_heat,           ///< temperature after Controls::time_step, held nodes kept
-  heat_bound,          ///< diagonal and row sums of conduction and film, into Field::heat_bound
-  start_search,        ///< steady stages: residual from Field::heat_flow, first direction of conjugate gradients
-  search_flow,         ///< conduction and film of the direction
-  advance_search,      ///< temperature moved by Controls::search_length along the direction
-  turn_search,         ///< next direction, keeping Controls::search_keep of the last
-  gauss_temperature,   ///< Field::warming from the present temperature
+  block_force,           ///< element corner forces
+  gather_force,          ///< corner forces to nodes
+  spring_force,          ///< contact springs, added to nodes
+  move_nodes,            ///< velocity, then displacement
+  keep_force,            ///< remember the force for the next stiffness estimate
+  relaxation_sums,       ///< partial sums behind Backend::relaxation_sums
+  stiffness_bound,       ///< Gershgorin bound of the blocks' stiffness at every node, into Field::stiffness
+  block_stress,          ///< Gauss-point stress for output
+  spring_utilisation,    ///< share of its strength that each contact point uses, into Field::utilisation
+  spring_crossing,       ///< where between Field::displacement_before and now it reached its strength, into
+                         ///< Field::utilisation
+  break_springs,         ///< cracks contact points at or above Controls::break_threshold
+  heat_flow,             ///< conduction and film at the present temperature, into Field::heat_flow
+  step_heat,             ///< temperature after Controls::time_step, held nodes kept
+  heat_bound,            ///< diagonal and row sums of conduction and film, into Field::heat_bound
+  start_search,          ///< steady stages: residual from Field::heat_flow, first direction of conjugate gradients
+  search_flow,           ///< conduction and film of the direction
+  advance_search,        ///< temperature moved by Controls::search_length along the direction
+  turn_search,           ///< next direction, keeping Controls::search_keep of the last
+  balance_residual,      ///< elastic search: what is out of balance (load less Field::force)
+  balance_precondition,  ///< inverse virtual mass times residual
+  balance_turn,          ///< next direction, keeping Controls::search_keep of the last
+  balance_product,       ///< stiffness times direction, springs bonded, no temperature
+  balance_advance,       ///< displacement moved by Controls::search_length along the direction
+  gauss_temperature,     ///< Field::warming from the present temperature
   count
 };
 const char* phase_name(Phase phase);
@@ -99,6 +104,21 @@ struct NodeGroups {
   std::vector<double> pull;   ///< [groups] 1/kg
 };
 
+/// Aggregates of nodes that move as rigid bodies in the coarse part of the elastic search, machine's numbering.
+struct NodeAggregates {
+  std::vector<int> aggregate;  ///< [block nodes]
+  std::vector<int> first;      ///< [aggregates + 1] into member
+  std::vector<int> member;     ///< [block nodes]
+  std::vector<double> centre;  ///< [3 * aggregates] m
+};
+
+/// Sums of the elastic search over free components.
+struct BalanceMeasure {
+  double residual = 0;        ///< |residual|, N
+  double preconditioned = 0;  ///< residual . preconditioned residual, N m
+  double along = 0;           ///< direction . stiffness . direction, N m
+};
+
 /// What a backend is built from. The model's laws by material; everything is copied to the machine.
 struct Setup {
   const Discretisation& discretisation;
@@ -122,6 +142,12 @@ class Backend {
   virtual HeatMeasure heat_sums() = 0;
   /// Every node is by itself until groups are written.
   virtual void write_groups(const NodeGroups& groups) = 0;
+  virtual void write_aggregates(const NodeAggregates& aggregates) = 0;
+  virtual BalanceMeasure balance_sums() = 0;
+  /// [6 * aggregates] resultant force and moment of the residual, N and N m.
+  virtual std::vector<double> balance_resultants() = 0;
+  /// Adds rigid movements [6 * aggregates], m and rad, to the preconditioned residual.
+  virtual void add_movements(const std::vector<double>& movement) = 0;
   /// Exchange with the surroundings, nodes numbered as on the machine.
   virtual void write_films(const FilmMatrix& films) = 0;
   virtual std::size_t size(Field field) const = 0;

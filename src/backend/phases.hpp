@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "backend/backend.hpp"
+#include "backend/balance_lane.hpp"
 #include "backend/heat_lane.hpp"
 #include "backend/node_set.hpp"
 #include "kernels/block_force.hpp"
@@ -174,6 +175,14 @@ class Phases final : public Backend {
       case Phase::search_flow: return heat_.find_search_flow(exec_);
       case Phase::advance_search: return heat_.advance_search(exec_, controls.search_length);
       case Phase::turn_search: return heat_.turn_search(exec_, controls.search_keep);
+      case Phase::balance_residual: return exec_.for_each(node_count(), BalanceResidual<Real>{balance_view()});
+      case Phase::balance_precondition:
+        return exec_.for_each(groups_.group_count, BalancePrecondition<Real>{balance_view()});
+      case Phase::balance_turn:
+        return exec_.for_each(node_count(), BalanceTurn<Real>{balance_view(), Real(controls.search_keep)});
+      case Phase::balance_product: return balance_product();
+      case Phase::balance_advance:
+        return exec_.for_each(node_count(), BalanceAdvance<Real>{balance_view(), Real(controls.search_length)});
       case Phase::gauss_temperature: return heat_.warm_gauss_points(exec_, warming_.data());
       case Phase::count: break;
     }
@@ -206,6 +215,15 @@ class Phases final : public Backend {
                .pull = group_pull_.data()};
     chunk_sums_.resize(relaxation_sum_count * chunks());
   }
+  void write_aggregates(const NodeAggregates& aggregates) override {
+    balance_.write_aggregates(aggregates);
+    no_slip_.resize(springs_.slip.size());
+  }
+  BalanceMeasure balance_sums() override { return balance_.sums(exec_, balance_view()); }
+  std::vector<double> balance_resultants() override { return balance_.resultants(exec_, balance_view()); }
+  void add_movements(const std::vector<double>& movement) override {
+    balance_.prolong(exec_, balance_view(), movement);
+  }
   HeatMeasure heat_sums() override { return heat_.sums(exec_); }
   void write_films(const FilmMatrix& films) override { heat_.write_films(films); }
 
@@ -229,6 +247,7 @@ class Phases final : public Backend {
     using Element = E<V>;
   };
 
+  BalanceView<Real> balance_view() { return balance_.view(body_, groups_); }
   int node_count() const { return body_.nodes.node_count; }
   int contact_count() const { return springs_.view().contact_count; }
   int chunks() const { return (groups_.group_count + chunk_nodes - 1) / chunk_nodes; }
@@ -266,7 +285,7 @@ class Phases final : public Backend {
     if (warm_)
       exec_.template block_forces<E, true>(body_, batch_view(b), law, discretisation_, b);
     else
-      exec_.template block_forces<E, false>(body_, batch_view(b), law, discretisation_, b);
+      cold_forces(ElementTag<E>{}, law, b, body_);
   }
   template <template <class> class E, class Point>
   void block_stress(ElementTag<E>, const Point& law, int b) {
@@ -282,6 +301,23 @@ class Phases final : public Backend {
   void spring_force() {
     exec_.for_each(contact_count(), SpringForce<Real>{springs_.view(), body_.u});
     exec_.for_each(springs_.view().node_count, GatherSpring<Real>{springs_.view(), body_.force});
+  }
+  /// The force routines on the search direction instead of the displacement.
+  void balance_product() {
+    const BalanceView<Real> view = balance_view();
+    BodyView<Real> moved = body_;
+    moved.u = view.direction;
+    moved.force = view.product;
+    each_batch([&](auto element, const auto& law, int b) { cold_forces(element, law, b, moved); });
+    gather_boundary(view.product);
+    SpringView<Real> springs = springs_.view();
+    springs.slip = no_slip_.data();
+    exec_.for_each(contact_count(), SpringForce<Real>{springs, moved.u});
+    exec_.for_each(springs.node_count, GatherSpring<Real>{springs, view.product});
+  }
+  template <template <class> class E, class Point>
+  void cold_forces(ElementTag<E>, const Point& law, int b, const BodyView<Real>& body) {
+    exec_.template block_forces<E, false>(body, batch_view(b), law, discretisation_, b);
   }
   void stiffness_bound() {
     each_batch([&](auto element, const auto& law, int b) { bound_batch(element, law, b); });
@@ -340,6 +376,8 @@ class Phases final : public Backend {
   std::vector<BlockLaw> laws_;
   NodeSet<Exec> blocks_;
   Springs<Exec, Real> springs_;
+  BalanceLane<Exec, Real> balance_;
+  Array<Real> no_slip_;
   HeatLane<Exec, Real> heat_;
   Array<Real> x_, u_, v_, load_, force_, kept_force_, u_before_, inverse_mass_, stiffness_, corner_force_, partial_,
       warming_, stress_;

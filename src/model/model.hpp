@@ -28,6 +28,7 @@ struct Extrude {
   std::string name;                           ///< becomes the region's name
   Where where;
   std::vector<std::array<double, 2>> section; ///< (x, z) outline, either orientation, closed implicitly
+  std::vector<std::vector<std::array<double, 2>>> holes;  ///< outlines of galleries and the like, inside the section
   double y0 = 0;                              ///< where the extrusion starts, m
   double length = 0;                          ///< along y, m
   double size = 0;                            ///< target element edge, m
@@ -35,7 +36,10 @@ struct Extrude {
   int layers = 0;                             ///< along y; 0: from layer_size
   std::vector<int> corners;                   ///< four 1-based indices into section; empty: by angle
   std::map<int, int> divisions;               ///< 1-based side (between chosen corners) -> divisions asked; else by size
-  double grade = 1;                           ///< growth from one element to the next, away from a finer neighbour's edge up to `size` (1: uniform)
+  double hole_size = 0;                       ///< target element edge at the holes, m; 0: as size
+  double grow = 0;                            ///< growth from one element to the next, away from finer neighbours and holes up to `size`
+                                              ///< (1: uniform); 0: 1 in a logical quad, 1.3 in a section meshed free
+  bool structured = true;                     ///< a logical quad is meshed in rows; false: triangulated as any other outline
   Shape shape = Shape::hex8;                  ///< hex8, or split into wedge6 or tet4
 };
 
@@ -126,7 +130,8 @@ struct Relaxation {
   Damping damping = Damping::adaptive;
   double damping_value = 0;                   ///< local: alpha (0: 0.8); viscous: fraction of velocity lost per step (0: 0.02)
   double step_factor = 1;                     ///< <= 1; scales the pseudo time step
-  long max_steps = 0;                         ///< 0: chosen from the mesh
+  long max_steps = 0;                         ///< 0: a million
+  bool search = true;                         ///< conjugate gradients to the elastic balance first, where all contacts are bonded
 };
 struct StaticSolve { Relaxation relaxation; };
 struct ThermalSolve {

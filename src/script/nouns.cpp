@@ -65,7 +65,10 @@ int add_extrude(const Call& c) {
       if (side.size() != 1 || side[0] < '1' || side[0] > '4')
         c.complain("divisions", "'divisions' has no side " + side + "; sides are 1 to 4");
     }
-  e.grade = f.number("grade");
+  if (f.has("holes")) e.holes = f.outlines("holes");
+  e.hole_size = f.maybe("hole_size").value_or(0);
+  e.grow = f.maybe("grow").value_or(0);
+  e.structured = f.flag("structured");
   e.shape = shape(f);
   c.model().extrudes.push_back(e);
   return 0;
@@ -176,7 +179,7 @@ Relaxation relaxation(const Fields& f) {
           : damping == "viscous" ? Damping::viscous
                                  : Damping::adaptive,
           f.maybe("damping_value").value_or(0), f.number("step_factor"),
-          static_cast<long>(f.maybe("max_steps").value_or(0))};
+          static_cast<long>(f.maybe("max_steps").value_or(0)), f.text("start") == "search"};
 }
 
 int add_solve(const Call& c) {

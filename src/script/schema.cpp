@@ -61,7 +61,13 @@ Keys relaxation_keys() {
           "damping_value", dimension::none, Range{0, 1, true},
           "local: share of the force (0.8 unless given); viscous: share of velocity lost per step (0.02 unless given)"),
       number("step_factor", dimension::none, Range{0, 1, true}, "scales the pseudo time step").otherwise(1),
-      key("max_steps", Type::integer, "gives up after so many steps; chosen from the mesh unless given"),
+      key("max_steps", Type::integer, "gives up after so many relaxation steps; a million unless given"),
+      key("start", Type::choice,
+          "search: conjugate gradients to the elastic balance before relaxation, where no contact has cracked or "
+          "slides; "
+          "rest: relaxation alone")
+          .of({"search", "rest"})
+          .otherwise_text("search"),
   };
 }
 
@@ -141,8 +147,16 @@ const std::vector<NounRule>& nouns() {
                 key("divisions", Type::counts,
                     "elements along chosen sides, counted from the first corner: { [1] = 6, [2] = 8 }")
                     .between({1, 1e6}),
-                number("grade", dimension::none, range::positive,
-                       "element size at the far free side over the size next to the neighbour")
+                key("holes", Type::outlines, "outlines of holes inside the section, such as galleries: { { {x,z}, ... }, ... }")
+                    .in(dimension::length),
+                number("hole_size", dimension::length, range::positive,
+                       "element edge to aim at around the holes; as `size` unless given"),
+                number("grow", dimension::none, Range{1, 2},
+                       "growth from one element to the next, away from finer neighbours and holes up to `size`: 1 is "
+                       "uniform; unless given 1 in a section meshed in rows, 1.3 in any other"),
+                key("structured", Type::flag,
+                    "mesh a section with four corners in rows; any other section, and this one if false, is cut into "
+                    "triangles, for hex8 each into three quads")
                     .otherwise(1),
                 elements_key()},
        .example =

@@ -26,7 +26,7 @@ struct StageResult {
   std::string kind;               ///< "static", "thermal steady", "thermal transient", "fracture"
   bool converged = false;
   std::string stop_reason;        ///< "converged", "step limit", "not finite", "block free", "interrupted", ...
-  long steps = 0;                 ///< relaxation steps, heat steps or conjugate-gradient iterations
+  long steps = 0;                 ///< passes over the elements: relaxation steps, heat steps, iterations of conjugate gradients
   double ratio = 0;               ///< unbalanced force ratio or relative residual at the end
   double load_factor = 1;         ///< reached by a fracture stage
   double wall_seconds = 0;

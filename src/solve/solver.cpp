@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <memory>
 
+#include "solve/elastic_start.hpp"
 #include "solve/fracture.hpp"
 #include "solve/recorder.hpp"
 #include "solve/relaxation.hpp"
@@ -138,16 +140,21 @@ class Run {
     FractureLinks links;
     links.surface_load = problem_.to_machine(conditions.surface_load, 3);
     recorder_.surface_load(std::move(conditions.surface_load));
-    links.relax = [this, &relaxation](const RelaxationWatch& watch) {
+    auto search = std::make_shared<ElasticStart>(problem_);
+    links.relax = [this, &relaxation, search](const RelaxationWatch& watch) {
       set_virtual_mass(problem_, relaxation);
       double start = 0;
-      Equilibrium e = relax(*problem_.backend, relaxation, thermal_load_, [&](long step, double ratio) {
+      const RelaxationWatch look = [&](long step, double ratio) {
         if (start == 0) start = ratio;
         relaxed_ = relaxation_fraction(start, ratio, relaxation.tolerance);
         tell(step, ratio, relaxation.tolerance);
         const bool stop_wanted = watch && watch(step, ratio);
         return observer_.interrupted() || stop_wanted;
-      });
+      };
+      const long iterations =
+          relaxation.search && search->applies() ? search->run(relaxation.tolerance, thermal_load_, look) : 0;
+      Equilibrium e = relax(*problem_.backend, relaxation, thermal_load_, look);
+      e.steps += iterations;
       result_.interrupted = result_.interrupted || (e.interrupted && observer_.interrupted());
       return e;
     };

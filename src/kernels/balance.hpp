@@ -1,0 +1,160 @@
+#pragma once
+#include "base/tensor.hpp"
+#include "model/view.hpp"
+
+/// Conjugate gradients on the elastic balance K u = load, matrix-free, with two preconditioners added: the virtual mass
+/// of relaxation (near-diagonal) and a coarse solution in rigid movements of node aggregates. Vectors of held
+/// components are zero throughout.
+namespace ashlar {
+
+template <class Real>
+struct BalanceView {
+  BodyView<Real> body;
+  GroupView<Real> groups;
+  Real* residual = nullptr;        ///< [3 * nodes] N
+  Real* preconditioned = nullptr;  ///< [3 * nodes] m
+  Real* direction = nullptr;       ///< [3 * nodes] m
+  Real* product = nullptr;         ///< [3 * nodes] N, stiffness times direction
+  int aggregate_count = 0;
+  const int* aggregate = nullptr;        ///< [nodes]
+  const int* aggregate_first = nullptr;  ///< [aggregates + 1] into aggregate_node
+  const int* aggregate_node = nullptr;   ///< [nodes]
+  const Real* centre = nullptr;          ///< [3 * aggregates] m
+  ASHLAR_HD bool held(int node, int c) const { return (unsigned(body.fixed[node]) >> c) & 1u; }
+};
+
+/// Rigid movements per aggregate: three translations, three rotations about its centre.
+inline constexpr int rigid_modes = 6;
+
+/// One node -> what is out of balance at the present displacement.
+template <class Real>
+struct BalanceResidual {
+  BalanceView<Real> view;
+  ASHLAR_HD void operator()(int node) const {
+    for (int c = 0; c < 3; ++c) {
+      const int i = 3 * node + c;
+      view.residual[i] = view.held(node, c) ? Real(0) : view.body.load[i] - view.body.force[i];
+    }
+  }
+};
+
+/// One node group -> inverse virtual mass times residual.
+template <class Real>
+struct BalancePrecondition {
+  BalanceView<Real> view;
+  ASHLAR_HD void operator()(int group) const {
+    const GroupView<Real>& groups = view.groups;
+    for (int c = 0; c < 3; ++c) {
+      Real sum = Real(0);
+      bool any_held = false;
+      for (int j = groups.begin(group); j < groups.end(group); ++j) {
+        any_held = any_held || view.held(groups.node(j), c);
+        sum += view.residual[3 * groups.node(j) + c];
+      }
+      const Real shared = any_held || groups.single(group) ? Real(0) : groups.pull[group] * sum;
+      for (int j = groups.begin(group); j < groups.end(group); ++j) {
+        const int node = groups.node(j), i = 3 * node + c;
+        view.preconditioned[i] =
+            view.held(node, c) ? Real(0) : fma(view.body.inverse_mass[node], view.residual[i], shared);
+      }
+    }
+  }
+};
+
+/// One aggregate -> resultant force and moment of the residual, in double.
+template <class Real>
+struct BalanceRestrict {
+  BalanceView<Real> view;
+  double* resultant;  ///< [6 * aggregates] N, N m
+  ASHLAR_HD void operator()(int a) const {
+    double s[rigid_modes] = {};
+    for (int j = view.aggregate_first[a]; j < view.aggregate_first[a + 1]; ++j) {
+      const int n = 3 * view.aggregate_node[j];
+      const double x = double(view.body.x[n]) - double(view.centre[3 * a]);
+      const double y = double(view.body.x[n + 1]) - double(view.centre[3 * a + 1]);
+      const double z = double(view.body.x[n + 2]) - double(view.centre[3 * a + 2]);
+      const double fx = view.residual[n], fy = view.residual[n + 1], fz = view.residual[n + 2];
+      s[0] += fx;
+      s[1] += fy;
+      s[2] += fz;
+      s[3] += y * fz - z * fy;
+      s[4] += z * fx - x * fz;
+      s[5] += x * fy - y * fx;
+    }
+    for (int k = 0; k < rigid_modes; ++k) resultant[rigid_modes * a + k] = s[k];
+  }
+};
+
+/// One node -> the rigid movement of its aggregate, added to the preconditioned residual.
+template <class Real>
+struct BalanceProlong {
+  BalanceView<Real> view;
+  const double* movement;  ///< [6 * aggregates] m, rad
+  ASHLAR_HD void operator()(int node) const {
+    const int a = view.aggregate[node], n = 3 * node;
+    const double* m = movement + rigid_modes * a;
+    const double x = double(view.body.x[n]) - double(view.centre[3 * a]);
+    const double y = double(view.body.x[n + 1]) - double(view.centre[3 * a + 1]);
+    const double z = double(view.body.x[n + 2]) - double(view.centre[3 * a + 2]);
+    const double moved[3] = {m[0] + m[4] * z - m[5] * y, m[1] + m[5] * x - m[3] * z, m[2] + m[3] * y - m[4] * x};
+    for (int c = 0; c < 3; ++c)
+      if (!view.held(node, c)) view.preconditioned[n + c] += Real(moved[c]);
+  }
+};
+
+/// One node -> the next direction: preconditioned residual plus `keep` times the last one; the product starts at zero
+/// where held.
+template <class Real>
+struct BalanceTurn {
+  BalanceView<Real> view;
+  Real keep;
+  ASHLAR_HD void operator()(int node) const {
+    for (int i = 3 * node; i < 3 * node + 3; ++i)
+      view.direction[i] = fma(keep, view.direction[i], view.preconditioned[i]);
+  }
+};
+
+/// One node -> moved by `length` along the direction.
+template <class Real>
+struct BalanceAdvance {
+  BalanceView<Real> view;
+  Real length;
+  ASHLAR_HD void operator()(int node) const {
+    for (int c = 0; c < 3; ++c) {
+      if (view.held(node, c)) continue;
+      const int i = 3 * node + c;
+      view.body.u[i] = fma(length, view.direction[i], view.body.u[i]);
+      view.residual[i] = fma(-length, view.product[i], view.residual[i]);
+    }
+  }
+};
+
+/// Index of each sum in a chunk's record.
+enum BalanceSum : int {
+  balance_residual,        ///< residual . residual, N^2
+  balance_preconditioned,  ///< residual . preconditioned, N m
+  balance_along,           ///< direction . product over free components, N m
+  balance_sum_count
+};
+
+/// One chunk of nodes -> its sums, in index order and in double.
+template <class Real>
+struct BalanceSums {
+  BalanceView<Real> view;
+  int chunk_nodes;
+  double* chunk_sums;  ///< [balance_sum_count * chunks]
+  ASHLAR_HD void operator()(int chunk) const {
+    double s[balance_sum_count] = {};
+    const int first = chunk * chunk_nodes, count = view.body.nodes.node_count;
+    const int last = first + chunk_nodes < count ? first + chunk_nodes : count;
+    for (int i = 3 * first; i < 3 * last; ++i) {
+      const double r = view.residual[i];
+      s[balance_residual] += r * r;
+      s[balance_preconditioned] += r * double(view.preconditioned[i]);
+      s[balance_along] += double(view.direction[i]) * double(view.product[i]);
+    }
+    for (int k = 0; k < balance_sum_count; ++k) chunk_sums[chunk * balance_sum_count + k] = s[k];
+  }
+};
+
+}  // namespace ashlar

@@ -1,0 +1,179 @@
+#include "solve/coarse_space.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "kernels/balance.hpp"
+#include "kernels/block_force.hpp"
+#include "physics/shapes/hex8.hpp"
+#include "physics/shapes/tet4.hpp"
+#include "physics/shapes/wedge6.hpp"
+
+namespace ashlar {
+
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+NodeAggregates patch_aggregates(const Discretisation& d) {
+  const Topology& t = d.blocks;
+  NodeAggregates a;
+  a.aggregate.assign(t.node_count, -1);
+  for (int p = 0; p < d.patch_count(); ++p)
+    for (int e = t.patch_first_entry[p]; e < t.patch_first_entry[p + 1]; ++e)
+      if (a.aggregate[t.entry_node[e]] < 0) a.aggregate[t.entry_node[e]] = p;
+  std::vector<int> size(d.patch_count() + 1);
+  for (const int p : a.aggregate) ++size[p + 1];
+  for (int p = 0; p < d.patch_count(); ++p) size[p + 1] += size[p];
+  a.first = size;
+  a.member.resize(t.node_count);
+  a.centre.assign(3 * static_cast<std::size_t>(d.patch_count()), 0);
+  for (int n = 0; n < t.node_count; ++n) a.member[size[a.aggregate[n]]++] = n;
+  for (int n = 0; n < t.node_count; ++n) {
+    const int p = a.aggregate[n];
+    for (int c = 0; c < 3; ++c) a.centre[3 * p + c] += d.block_points[n][c] / (a.first[p + 1] - a.first[p]);
+  }
+  return a;
+}
+
+/// Displacement of a node in mode k of its aggregate; zero in held components.
+Vec3<double> mode_at(int k, const Vec3<double>& arm, unsigned held) {
+  Vec3<double> u;
+  if (k < 3) u[k] = 1;
+  if (k == 3) u = {0, -arm.z, arm.y};
+  if (k == 4) u = {arm.z, 0, -arm.x};
+  if (k == 5) u = {-arm.y, arm.x, 0};
+  for (int c = 0; c < 3; ++c)
+    if ((held >> c) & 1u) u[c] = 0;
+  return u;
+}
+
+/// Everything that the stiffness of one element or spring needs to know of its nodes.
+class Assembly {
+ public:
+  Assembly(const Problem& problem, const NodeAggregates& aggregates, const std::vector<double>& fixed)
+      : problem_(problem), aggregates_(aggregates), fixed_(fixed) {}
+
+  void add_elements() {
+    const Discretisation& d = problem_.discretisation;
+    const Setup setup = problem_.setup();
+    for (const Batch& batch : d.batches)
+      std::visit(
+          [&](const auto& law) {
+            const auto point = law.template prepare<double>();
+            switch (batch.shape) {
+              case Shape::hex8: return add_batch<Hex8>(batch, point);
+              case Shape::wedge6: return add_batch<Wedge6>(batch, point);
+              case Shape::tet4: return add_batch<Tet4>(batch, point);
+            }
+          },
+          setup.laws[batch.material]);
+  }
+
+  void add_springs() {
+    const ContactPoints& contacts = problem_.contacts;
+    const std::vector<int>& renumber = problem_.discretisation.blocks.new_node;
+    for (int c = 0; c < contacts.count(); ++c) {
+      const int nodes[2] = {renumber[contacts.node_a[c]], renumber[contacts.node_b[c]]};
+      const double sign[2] = {-1, 1};
+      if (nodes[0] == nodes[1] || rigid(nodes)) continue;
+      const Vec3<double>& n = contacts.normal[c];
+      for (int i = 0; i < 2; ++i)
+        for (int k = 0; k < rigid_modes; ++k) {
+          const Vec3<double> gap = sign[i] * mode(nodes[i], k);
+          const double along = dot(gap, n);
+          const Vec3<double> pull = contacts.area[c] * (contacts.shear_stiffness[c] * (gap - along * n) +
+                                                        contacts.normal_stiffness[c] * along * n);
+          for (int j = 0; j < 2; ++j)
+            for (int l = 0; l < rigid_modes; ++l) add(nodes[i], k, nodes[j], l, sign[j] * dot(mode(nodes[j], l), pull));
+        }
+    }
+  }
+
+  Triplets take() { return std::move(triplets_); }
+
+ private:
+  Vec3<double> mode(int node, int k) const {
+    const int a = aggregates_.aggregate[node];
+    const Vec3<double> centre{aggregates_.centre[3 * a], aggregates_.centre[3 * a + 1], aggregates_.centre[3 * a + 2]};
+    return mode_at(k, problem_.discretisation.block_points[node] - centre, static_cast<unsigned>(fixed_[node]));
+  }
+  /// All nodes in one aggregate and none of them held: a rigid movement strains nothing.
+  bool rigid(std::span<const int> nodes) const {
+    for (const int n : nodes)
+      if (aggregates_.aggregate[n] != aggregates_.aggregate[nodes[0]] || fixed_[n] != 0) return false;
+    return true;
+  }
+  void add(int node_i, int k, int node_j, int l, double value) {
+    if (value != 0)
+      triplets_.emplace_back(rigid_modes * aggregates_.aggregate[node_i] + k,
+                             rigid_modes * aggregates_.aggregate[node_j] + l, value);
+  }
+
+  template <template <class> class Element, class Point>
+  void add_batch(const Batch& batch, const Point& law) {
+    constexpr int corners = Element<double>::corners;
+    const Discretisation& d = problem_.discretisation;
+    for (int e = 0; e < batch.element_count; ++e) {
+      int nodes[corners];
+      double x[3][corners], u[3][corners], f[3][corners];
+      for (int k = 0; k < corners; ++k) {
+        nodes[k] = d.blocks.corner_node[batch.first_slot + e * corners + k];
+        for (int c = 0; c < 3; ++c) x[c][k] = d.block_points[nodes[k]][c];
+      }
+      if (rigid(nodes)) continue;
+      std::vector<int> touched;
+      for (const int n : nodes) touched.push_back(aggregates_.aggregate[n]);
+      std::sort(touched.begin(), touched.end());
+      touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+      for (const int a : touched)
+        for (int k = 0; k < rigid_modes; ++k) {
+          for (int q = 0; q < corners; ++q) {
+            const Vec3<double> m = aggregates_.aggregate[nodes[q]] == a ? mode(nodes[q], k) : Vec3<double>{};
+            for (int c = 0; c < 3; ++c) u[c][q] = m[c];
+          }
+          element_force<Element, false>(law, x, u, 0, f);
+          for (const int b : touched)
+            for (int l = 0; l < rigid_modes; ++l) {
+              double value = 0;
+              for (int q = 0; q < corners; ++q)
+                if (aggregates_.aggregate[nodes[q]] == b)
+                  value += dot(mode(nodes[q], l), Vec3<double>{f[0][q], f[1][q], f[2][q]});
+              if (value != 0) triplets_.emplace_back(rigid_modes * a + k, rigid_modes * b + l, value);
+            }
+        }
+    }
+  }
+
+  const Problem& problem_;
+  const NodeAggregates& aggregates_;
+  const std::vector<double>& fixed_;
+  Triplets triplets_;
+};
+
+}  // namespace
+
+CoarseSpace::CoarseSpace(const Problem& problem, const std::vector<double>& fixed)
+    : aggregates_(patch_aggregates(problem.discretisation)) {
+  Assembly assembly(problem, aggregates_, fixed);
+  assembly.add_elements();
+  assembly.add_springs();
+  const int size = rigid_modes * problem.discretisation.patch_count();
+  Eigen::SparseMatrix<double> matrix(size, size);
+  const Triplets triplets = assembly.take();
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  // Movements that nothing resists (held throughout, or one node's rotation) get a stiffness of their own.
+  double largest = 0;
+  for (int i = 0; i < size; ++i) largest = std::max(largest, matrix.coeff(i, i));
+  Eigen::SparseMatrix<double> little(size, size);
+  little.setIdentity();
+  matrix += 1e-9 * largest * little;
+  factor_.compute(matrix);
+}
+
+std::vector<double> CoarseSpace::solve(const std::vector<double>& resultants) const {
+  const Eigen::VectorXd answer = factor_.solve(Eigen::Map<const Eigen::VectorXd>(resultants.data(), resultants.size()));
+  return {answer.data(), answer.data() + answer.size()};
+}
+
+}  // namespace ashlar

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+
+#include "solve/coarse_space.hpp"
+#include "solve/relaxation.hpp"
+
+namespace ashlar {
+
+/// Conjugate gradients to the elastic balance before relaxation takes over: far fewer element passes where nothing
+/// slides or cracks. Preconditioned by the virtual mass and by rigid movements of patches (CoarseSpace). Same element
+/// routine, same bits on any number of threads.
+class ElasticStart {
+ public:
+  /// The supports have been written to the backend.
+  explicit ElasticStart(const Problem& problem) : problem_(problem) {}
+
+  /// Whether all contacts are bonded, so that the balance is linear.
+  bool applies() const;
+
+  /// Moves the displacement in the backend towards balance with Field::load and the present temperature. Virtual mass
+  /// is set.
+  /// @return iterations done
+  long run(double tolerance, double thermal_load, const RelaxationWatch& watch);
+
+ private:
+  const Problem& problem_;
+  std::optional<CoarseSpace> coarse_;
+};
+
+}  // namespace ashlar
