@@ -1,4 +1,4 @@
--- Cases P4 and P5: a column under its own weight, held at the sides (P4) or free with poisson = 0 (P5).
+-- Cases P4, P5: a column under its own weight, held at the sides (P4) or free with poisson = 0 (P5).
 -- Source: closed form, u_z = -rho g (H z - z^2/2) / M with M = E (1 - nu) / ((1 + nu) (1 - 2 nu)), or E for the free column.
 --         tet4 near the top: numpy finite elements on the same mesh, since tetrahedra share out weight unevenly.
 -- Accept: 1e-5 of nodal displacement and of stress at element centres; hexahedra and wedges meet both exactly.

@@ -2,6 +2,7 @@
 --           cracks at the top first.
 -- Source: closed form, +- rho g H / 2 at the ends; cracks at E alpha |dT| + rho g H / 2 = f_t.
 -- Accept: 1 %.
+-- Runs:
 local height, young, density, g, expansion, strength, cooling = 20, 20*GPa, 2400*kg/m^3, 9.81, 1e-5/K, 1.5*MPa, 20
 
 model "column" { reference_temperature = 0*degC }

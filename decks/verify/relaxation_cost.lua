@@ -7,14 +7,11 @@ local args = deck.args {
   fine    = { default = false, doc = "2496 instead of 312 elements" },
 }
 
+local d0 = require "d0"
 model "d0" {}
-import_mesh { file = "../../tests/data/dam_D0_" .. (args.fine and "r2_ny4" or "r1_ny2") .. ".msh" }
-material "concrete" { region = "concrete", young = 20*GPa, poisson = 0.2, density = 2400*kg/m^3 }
-material "rock"     { region = "rock",     young = 20*GPa, poisson = 0.2, density = 2650*kg/m^3 }
-fix "base"    { surface = "bottom", x = 0, y = 0, z = 0 }
-fix "rollers" { surface = { "xside", "yside" }, normal = true }
-gravity { z = -9.81 }
-water_pressure { surface = "up_wet", level = 55*m }
+d0.body(args.fine and "r2_ny4" or "r1_ny2")
+d0.supports()
+d0.loads()
 stage "gravity" { solve = static { tolerance = 1e-6, damping = args.damping } }
 
 local reference = ({ adaptive = { 850, 1700 }, ["local"] = { 2150, 5200 } })[args.damping][args.fine and 2 or 1]
