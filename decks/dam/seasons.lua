@@ -56,7 +56,7 @@ end
 stage "gravity"  { solve = static { tolerance = 1e-6 }, reset_displacement = true }
 stage "summer"   { apply = climate(28.2*degC, 19.5*degC, 32.4*degC), solve = thermal { steady = true } }
 stage "winter"   { apply = climate(-1.6*degC, 2.8*degC, 10.3*degC), solve = thermal { steady = true } }
-stage "fracture" { solve = fracture { from = "summer", to = "winter", increments = 10, tolerance = 1e-4 } }
+stage "fracture" { solve = fracture { from = "summer", to = "winter", increments = 10, tolerance = 1e-5 } }
 
 history "crest" { at = { 0, 0, height }, record = { "displacement", "temperature" } }
 history "base"  { surface = "bottom", record = { "reaction" } }

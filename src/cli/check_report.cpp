@@ -136,6 +136,7 @@ std::string solve_words(const Stage& stage) {
     return text("static, to a ratio of %g", s->relaxation.tolerance);
   if (const auto* t = std::get_if<ThermalSolve>(&stage.solve))
     return t->steady ? std::string("thermal, steady") : text("thermal, %.6g days", t->duration / 86400);
+  if (const auto* d = std::get_if<DynamicSolve>(&stage.solve)) return text("dynamic, %.6g s", d->duration);
   const auto& f = std::get<FractureSolve>(stage.solve);
   return text("fracture, from %s to %s in %d increments, to a ratio of %g",
               f.from.empty() ? "the reference temperature" : f.from.c_str(), f.to.c_str(), f.increments,
@@ -182,10 +183,7 @@ std::string check_report(const Model& model) {
   const std::vector<ContactSum> sums = sum_contacts(model, blocks, contacts);
   describe_contacts(page, model, blocks, sums);
   describe_plan(page, model);
-  double stiffest = 0;
-  for (const ContactSum& sum : sums)
-    if (sum.points) stiffest = std::max(stiffest, sum.body_compliance / sum.spring_compliance);
-  for (const std::string& line : estimate_effort(model, blocks, contacts, stiffest)) page.line("estimate", line);
+  for (const std::string& line : estimate_effort(model, blocks, contacts)) page.line("estimate", line);
   for (const std::string& line : left_out(model)) page.line("left out", line);
   return page.lines();
 }

@@ -46,18 +46,15 @@ std::string rounded(double steps) {
 
 }  // namespace
 
-std::vector<std::string> estimate_effort(const Model& model, const Blocks& blocks, const ContactPoints& contacts,
-                                         double stiffest_springs) {
+std::vector<std::string> estimate_effort(const Model& model, const Blocks& blocks, const ContactPoints& contacts) {
   std::vector<std::string> lines{text("memory about %.0f MB", bytes_needed(model.mesh, blocks, contacts) / 1e6)};
-  // Stiff springs make heavy nodes (numerics 3), heavy nodes move slowly: steps grow with the root of the stiffness.
-  const double per_decade =
-      steps_per_element_and_decade * elements_across(model.mesh) * std::sqrt(1 + stiffest_springs);
+  const double per_decade = steps_per_element_and_decade * elements_across(model.mesh);
   for (const Stage& stage : model.stages) {
     const Relaxation* relaxation = relaxation_of(stage);
     if (!relaxation) continue;
     const auto* fracture = std::get_if<FractureSolve>(&stage.solve);
     // Increments and crack events start from an equilibrium nearby.
-    const double steps = (fracture ? 1 / 3.0 : 1.0) * per_decade * -std::log10(relaxation->tolerance);
+    const double steps = (fracture ? 2 / 3.0 : 1.0) * per_decade * -std::log10(relaxation->tolerance);
     const double seconds = steps * model.mesh.element_count() / element_steps_per_second;
     std::string line = text("stage %s: about %s steps, %s", stage.name.c_str(), rounded(steps).c_str(),
                             duration_text(seconds).c_str());
