@@ -141,7 +141,7 @@ def main():
     parser.add_argument("--all", action="store_true")
     parser.add_argument("--nightly", action="store_true")
     options = parser.parse_args()
-    print("| case and run | quantity | reference | source | ours | difference | allowed | s | |")
+    print("| case and run | quantity | reference | source | ours | difference | tolerance | seconds | |")
     print("|---|---|---|---|---|---|---|---|---|")
     passed = True
     with tempfile.TemporaryDirectory() as folder:

@@ -2,9 +2,10 @@
 --                  rock to the crest; stress in the first row of the dam; supports and water balanced by hand.
 -- Source: CalculiX 2.20, plain bricks (C3D8) with consistent loads; weights and thrust by hand.
 -- Accept: 1e-4 of the largest displacement or stress; 1e-5 for the balance.
--- Runs: | fine=true
+-- Runs: | start=rest | fine=true
 local args = deck.args {
   fine        = { default = false, doc = "2496 instead of 312 elements" },
+  start       = { default = "search", doc = "search or rest (relaxation alone): the answer is the same" },
   damping     = { default = "adaptive", doc = "adaptive, local or viscous: the answer is the same" },
   step_factor = { default = 1, doc = "share of the pseudo time step" },
 }
@@ -13,7 +14,9 @@ model "d0" {}
 d0.body(args.fine and "r2_ny4" or "r1_ny2")
 d0.supports()
 d0.loads()
-stage "gravity" { solve = static { tolerance = 1e-8, damping = args.damping, step_factor = args.step_factor } }
+stage "gravity" {
+  solve = static { tolerance = 1e-8, start = args.start, damping = args.damping, step_factor = args.step_factor },
+}
 output "fields" { record = { "displacement", "stress" } }
 
 local refinement = args.fine and 2 or 1
