@@ -2,13 +2,12 @@
 """Runs the verification decks and prints a Markdown table: reference, ours, difference, tolerance, time.
 
 verification_table.py ASHLAR [DECK ...]    decks by name, such as d0_elastic; all of decks/verify unless given
-  --all        a row for every expect instead of the worst of each run
-  --nightly    also the runs that take minutes
+  --all    a row for every expect instead of the worst of each run
 Exit code 1 if an expect fails or a run does not end well.
 
 The head of each deck says what this program reads, a line each, wrapped with deeper indentation:
   -- Case NAME: what it is        -- Source: of the reference       -- Accept: tolerance
-  -- Runs: arguments | ...        -- Nightly: arguments of runs that take minutes | ...
+  -- Runs: arguments | arguments | ...
 """
 import argparse
 import dataclasses
@@ -51,7 +50,7 @@ def head(deck):
     for line in deck.read_text(encoding="utf-8").splitlines():
         if not line.startswith("--"):
             break
-        start = re.match(r"-- (Cases?|Source|Accept|Runs|Nightly): ?(.*)|-- Cases? ([^:]*): (.*)", line)
+        start = re.match(r"-- (Source|Accept|Runs): ?(.*)|-- Cases? ([^:]*): (.*)", line)
         if start and start[3]:
             entries["Case"], last = start[3], None
         elif start:
@@ -64,18 +63,15 @@ def head(deck):
     return entries
 
 
-def runs(names=(), nightly=False):
+def runs(names=()):
     """Every run of the decks, in the order of the decks' names. Files without `Runs` are parts of decks."""
     found = []
     for deck in sorted(DECKS.glob("*.lua")):
         entries = head(deck)
         if "Runs" not in entries or (names and deck.stem not in names):
             continue
-        texts = entries["Runs"].split("|")
-        if nightly and "Nightly" in entries:
-            texts += entries["Nightly"].split("|")
         source = re.split(r"[,;:]|\. |\.$", entries["Source"])[0]
-        found += [Run(deck, entries["Case"], source, text.split()) for text in texts]
+        found += [Run(deck, entries["Case"], source, text.split()) for text in entries["Runs"].split("|")]
     missing = set(names) - {run.deck.stem for run in found}
     if missing:
         sys.exit("no verification deck is called " + ", ".join(sorted(missing)))
@@ -139,13 +135,12 @@ def main():
     parser.add_argument("program")
     parser.add_argument("decks", nargs="*")
     parser.add_argument("--all", action="store_true")
-    parser.add_argument("--nightly", action="store_true")
     options = parser.parse_args()
     print("| case and run | quantity | reference | source | ours | difference | tolerance | seconds | |")
     print("|---|---|---|---|---|---|---|---|---|")
     passed = True
     with tempfile.TemporaryDirectory() as folder:
-        for number, run in enumerate(runs(options.decks, options.nightly)):
+        for number, run in enumerate(runs(options.decks)):
             outcome = solve(options.program, run, pathlib.Path(folder) / str(number))
             passed = passed and outcome.passed
             for row in rows(outcome, options.all):

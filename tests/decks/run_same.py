@@ -45,7 +45,7 @@ def run(program, folder, deck, arguments, threads=None):
 
 def same_bits(program, folder):
     failed = 0
-    for deck, arguments in (("d0_elastic", []), ("d0_elastic", ["start=rest"]), ("d0_heat", ["transient=true", "fine=true"]), ("d0_staged", ["share=0.6"]),
+    for deck, arguments in (("d0_elastic", []), ("d0_elastic", ["start=rest"]), ("d0_heat", ["transient=true", "fine=true"]), ("d0_staged", []),
                             ("cooled_column", [])):
         first = None
         for number, threads in enumerate((1, 2, 3, 2)):

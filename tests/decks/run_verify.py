@@ -1,8 +1,7 @@
 #!/usr/bin/python3
 """Runs verification decks with every set of arguments that their heads name; every expect must hold.
 
-run_verify.py ASHLAR DECK ...      decks by name, such as d0_elastic
-run_verify.py ASHLAR DECK ... --nightly    only the runs that take minutes
+run_verify.py ASHLAR DECK ...    decks by name, such as d0_elastic
 """
 import pathlib
 import sys
@@ -12,11 +11,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "
 from verification_table import runs, solve  # noqa: E402
 
 
-def main(program, names, nightly):
-    todo = runs(names, nightly)[len(runs(names)):] if nightly else runs(names)
+def main(program, names):
     failed = 0
     with tempfile.TemporaryDirectory() as folder:
-        for number, run in enumerate(todo):
+        for number, run in enumerate(runs(names)):
             outcome = solve(program, run, pathlib.Path(folder) / str(number))
             held = sum(expect["passed"] for expect in outcome.expects)
             print(f"{run.deck.stem} {' '.join(run.arguments)}: {held} of {len(outcome.expects)} expects hold, "
@@ -24,8 +22,8 @@ def main(program, names, nightly):
             if not outcome.passed:
                 failed += 1
                 print(outcome.output)
-    return 1 if failed or not todo else 0
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1], [a for a in sys.argv[2:] if a != "--nightly"], "--nightly" in sys.argv))
+    sys.exit(main(sys.argv[1], sys.argv[2:]))
