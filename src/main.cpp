@@ -1,4 +1,7 @@
+#include <unistd.h>
+
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <map>
@@ -7,7 +10,17 @@
 #include "base/error.hpp"
 #include "cli/commands.hpp"
 
+/// Threads that spin at every barrier slow each other badly where something else wants a core. OpenMP reads how long to
+/// spin when the program is loaded, so the program starts itself once more with a short wait, unless the user has
+/// chosen one.
+static void wait_politely(char** words) {
+  if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return;
+  setenv("GOMP_SPINCOUNT", "1000", 1);
+  execv("/proc/self/exe", words);  // comes back only where that is not possible: then the default serves
+}
+
 int main(int count, char** words) {
+  wait_politely(words);
   using namespace ashlar;
   const std::map<std::string, std::function<int(const Arguments&)>> commands = {
       {"run", run_command},   {"check", check_command},     {"plot", plot_command}, {"bench", bench_command},
