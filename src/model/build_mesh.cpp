@@ -20,26 +20,26 @@ class Assembly {
     if (model_.extrudes.empty() && model_.boxes.empty() && model_.imports.empty())
       throw DeckError(model_.where, "the model has no geometry; declare an extrude, a box or an import_mesh");
     mesh_ = Mesh{};
-    make_lattices();
+    make_sources();
     merge();
-    for (std::size_t s = 0; s < lattices_.size(); ++s)
-      add_cells(mesh_, lattices_[s], source_nodes(static_cast<int>(s)), add_region(names_[s], declared_[s], {}));
+    for (std::size_t s = 0; s < sources_.size(); ++s)
+      add_source(static_cast<int>(s), add_region(names_[s], declared_[s], {}));
     for (std::size_t i = 0; i < model_.imports.size(); ++i)
-      add_import(model_.imports[i], source_nodes(static_cast<int>(lattices_.size() + i)));
+      add_import(model_.imports[i], source_nodes(static_cast<int>(sources_.size() + i)));
     complaints_.raise();
     check_mesh(mesh_, region_declared_);
     add_surfaces();
   }
 
  private:
-  void make_lattices() {
-    if (!model_.extrudes.empty()) lattices_ = mesh_extrudes(model_.extrudes);
+  void make_sources() {
+    if (!model_.extrudes.empty()) sources_ = mesh_extrudes(model_.extrudes);
     for (const auto& extrude : model_.extrudes) {
       names_.push_back(extrude.name);
       declared_.push_back(extrude.where);
     }
     for (const auto& box : model_.boxes) {
-      lattices_.push_back(mesh_box(box));
+      sources_.push_back(mesh_box(box));
       names_.push_back(box.name);
       declared_.push_back(box.where);
     }
@@ -53,7 +53,9 @@ class Assembly {
       source.insert(source.end(), more.size(), static_cast<int>(first_point_.size()) - 1);
       points.insert(points.end(), more.begin(), more.end());
     };
-    for (const auto& lattice : lattices_) append(lattice.points);
+    for (const auto& source : sources_)
+      append(std::visit(
+          [](const auto& cells) -> const auto& { return cells.points; }, source));
     for (const auto& import : model_.imports) append(import.mesh.points);
     first_point_.push_back(static_cast<int>(points.size()));
     merged_ = merge_points(points, source);
@@ -69,13 +71,13 @@ class Assembly {
   }
 
   void repeated_node(int source, int a, int b, const Vec3<double>& place) {
-    const int lattices = static_cast<int>(lattices_.size());
-    if (source < lattices) {
+    const int made_here = static_cast<int>(sources_.size());
+    if (source < made_here) {
       complaints_.add(declared_[source], "'" + names_[source] + "' has elements of no size at " + place_text(place) +
                                              "; is it meant to be so much smaller than the rest of the model?");
       return;
     }
-    const auto& import = model_.imports[source - lattices];
+    const auto& import = model_.imports[source - made_here];
     complaints_.add(import.where, import.file + ": nodes " + std::to_string(a - first_point_[source] + 1) + " and " +
                                       std::to_string(b - first_point_[source] + 1) + " (counted from 1) lie at the " +
                                       "same place, " + place_text(place) +
@@ -99,6 +101,10 @@ class Assembly {
     mesh_.region_names.push_back(name);
     region_declared_.push_back(where);
     return static_cast<int>(mesh_.region_names.size()) - 1;
+  }
+
+  void add_source(int s, int region) {
+    std::visit([&](const auto& cells) { add_cells(mesh_, cells, source_nodes(s), region); }, sources_[s]);
   }
 
   void add_import(const ImportedMesh& import, const std::vector<int>& nodes) {
@@ -139,10 +145,10 @@ class Assembly {
 
   Model& model_;
   Mesh& mesh_;
-  std::vector<Lattice> lattices_;   ///< extrudes, then boxes
-  std::vector<std::string> names_;  ///< [lattices]
-  std::vector<Where> declared_;     ///< [lattices]
-  std::vector<int> first_point_;    ///< [sources + 1]: lattices, then imports
+  std::vector<MeshedSource> sources_;  ///< extrudes, then boxes
+  std::vector<std::string> names_;     ///< [sources_]
+  std::vector<Where> declared_;        ///< [sources_]
+  std::vector<int> first_point_;       ///< of extrudes, boxes, imports; one more at the end
   MergedPoints merged_;
   std::vector<Where> region_declared_;  ///< [regions]
   Complaints complaints_;

@@ -45,6 +45,7 @@ std::string expected(const KeyRule& rule) {
     case KeyType::vector: return "{ x, y, z }";
     case KeyType::field: return dimension_advice(rule.dimension) + ", or a function(x, y, z)";
     case KeyType::outline: return "a list of at least three corners { x, z }";
+    case KeyType::outlines: return "a list of outlines { {x, z}, {x, z}, {x, z}, ... }";
     case KeyType::vectors: return "two vectors { {x, y, z}, {x, y, z} }";
     case KeyType::integers: return "a list of whole numbers { 1, 2, 3 }";
     case KeyType::counts: return "whole numbers with whole keys: { [1] = 4 }";
@@ -259,6 +260,28 @@ class FieldReader {
     return good;
   }
 
+  void read_outlines(const KeyRule& rule, int index, std::vector<std::vector<std::array<double, 2>>>& into) {
+    if (lua_type(L_, index) != LUA_TTABLE || lua_rawlen(L_, index) == 0) return wrong(rule, index);
+    for (int i = 1; i <= static_cast<int>(lua_rawlen(L_, index)); ++i) {
+      lua_rawgeti(L_, index, i);
+      const int outline = lua_gettop(L_);
+      const std::string place = rule.name + "." + std::to_string(i);
+      const int size = lua_type(L_, outline) == LUA_TTABLE ? static_cast<int>(lua_rawlen(L_, outline)) : 0;
+      into.emplace_back();
+      if (size < 3)
+        complain(place, "'" + place + "' is " + describe(L_, outline) + "; expected an outline of at least three " +
+                            "corners { x, z }; holes = { { {x, z}, {x, z}, {x, z} } } is one hole");
+      for (int k = 1; k <= size; ++k) {
+        lua_rawgeti(L_, outline, k);
+        std::vector<Quantity> corner;
+        if (read_list(rule, lua_gettop(L_), place + "." + std::to_string(k), 2, false, corner))
+          into.back().push_back({corner[0].value, corner[1].value});
+        lua_pop(L_, 1);
+      }
+      lua_pop(L_, 1);
+    }
+  }
+
   bool read_texts(const KeyRule& rule, int index, std::vector<std::string>& into) {
     if (lua_type(L_, index) == LUA_TSTRING) {
       into.push_back(text_at(L_, index));
@@ -378,6 +401,7 @@ class FieldReader {
         }
         break;
       }
+      case KeyType::outlines: read_outlines(rule, index, field.outlines); break;
       case KeyType::counts:
       case KeyType::renames: {
         if (type != LUA_TTABLE) return wrong(rule, index);

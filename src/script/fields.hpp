@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -31,6 +32,7 @@ class Fields {
   std::optional<double> maybe(const std::string& key) const;
   const Quantity& quantity(const std::string& key, int i = 0) const { return values_.at(key).quantities.at(i); }
   std::vector<double> numbers(const std::string& key) const;
+  std::vector<std::vector<std::array<double, 2>>> outlines(const std::string& key) const { return values_.at(key).outlines; }
   Vec3<double> vector(const std::string& key, int i = 0) const;
   int integer(const std::string& key) const { return static_cast<int>(number(key)); }
   bool flag(const std::string& key) const { return number(key) != 0; }
@@ -50,6 +52,7 @@ class Fields {
   friend class FieldReader;
   struct Field {
     std::vector<Quantity> quantities;
+    std::vector<std::vector<std::array<double, 2>>> outlines;
     std::vector<std::string> texts;
     std::map<std::string, std::string> renames;
     Value value;

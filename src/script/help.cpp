@@ -50,6 +50,7 @@ std::string form(const KeyRule& k) {
     case KeyType::vector: return unit.empty() ? "{x,y,z}" : "{x,y,z} " + unit;
     case KeyType::field: return unit + " or function";
     case KeyType::outline: return "{{x,z},...} " + unit;
+    case KeyType::outlines: return "{{{x,z},...},...} " + unit;
     case KeyType::vectors: return "{{x,y,z},{x,y,z}}";
     case KeyType::integers: return "{1,2,...}";
     case KeyType::counts: return "{[1]=4,...}";

@@ -19,6 +19,7 @@ enum class KeyType {
   vector,      ///< { x, y, z }, numbers or quantities
   field,       ///< number, quantity or function(x, y, z)
   outline,     ///< { {x, z}, {x, z}, ... }
+  outlines,    ///< { { {x, z}, ... }, ... }
   vectors,     ///< two vectors: { {x, y, z}, {x, y, z} }
   integers,    ///< { 1, 2, 3 }
   counts,      ///< { [1] = 4, [3] = 8 }

@@ -18,6 +18,8 @@ inline double region_volume(const Mesh& mesh, const std::string& region) {
   return volume;
 }
 
+inline double all_volume(const Mesh& mesh) { return measure_quality(mesh).volume; }
+
 /// Area of facets, m^2.
 inline double area(const Mesh& mesh, const std::vector<Facet>& facets) {
   double sum = 0;

@@ -1,7 +1,9 @@
 #pragma once
+#include <variant>
 #include <vector>
 
 #include "model/mesher/lattice.hpp"
+#include "model/mesher/prisms.hpp"
 #include "model/mesher/section_graph.hpp"
 #include "model/mesher/strips.hpp"
 
@@ -16,11 +18,24 @@ struct SectionGrid {
 /// Transfinite interpolation between the divided sides. Throws DeckError if a cell folds: no logical quad.
 SectionGrid fill_section(const SectionGraph& graph, const Section& section, const EdgePoints& edges);
 
+/// Points and cells of one section that is meshed free.
+struct SectionCells {
+  std::vector<PlanePoint> points;
+  std::vector<std::array<int, 4>> cells;  ///< counter-clockwise; a triangle ends in -1
+};
+
+/// Triangles, or quads for hex8, between the divided edges. @param layers along y, for the count of cells
+SectionCells fill_free_section(const SectionGraph& graph, int section, const EdgePoints& edges, const FreeSizes& sizes,
+                               int layers);
+
 /// Planes along y of every extrude: extrudes that share a vertex of the section and touch along y have common planes
 /// where they run side by side; the finest `size` (or, before that, the most `layers`) decides.
 std::vector<std::vector<double>> layer_planes(const SectionGraph& graph);
 
-/// All extrudes, meshed so that they conform where their sections share edges; one lattice each, in the given order.
-std::vector<Lattice> mesh_extrudes(const std::vector<Extrude>& extrudes);
+/// What an extrude or a box is made as, before nodes are merged and cells are split.
+using MeshedSource = std::variant<Lattice, Prisms>;
+
+/// All extrudes, meshed so that they conform where their sections share edges; in the given order.
+std::vector<MeshedSource> mesh_extrudes(const std::vector<Extrude>& extrudes);
 
 }  // namespace ashlar

@@ -9,8 +9,13 @@ namespace ashlar {
 namespace {
 
 bool share_vertex(const Section& a, const Section& b) {
-  return std::any_of(a.outline.begin(), a.outline.end(),
-                     [&](int v) { return std::find(b.outline.begin(), b.outline.end(), v) != b.outline.end(); });
+  const auto has = [](const Section& section, int v) {
+    return std::any_of(section.loops.begin(), section.loops.end(),
+                       [&](const auto& loop) { return std::find(loop.begin(), loop.end(), v) != loop.end(); });
+  };
+  return std::any_of(a.loops.begin(), a.loops.end(), [&](const auto& loop) {
+    return std::any_of(loop.begin(), loop.end(), [&](int v) { return has(b, v); });
+  });
 }
 
 /// Sections that touch, directly or through others: the first section of its group, for each.

@@ -92,7 +92,7 @@ void match_opposite_sides(SectionGraph& graph) {
   while (changed) {
     changed = false;
     for (int s = 0; s < static_cast<int>(graph.sections.size()); ++s)
-      for (int side = 0; side < 2; ++side)
+      for (int side = 0; side < 2 && !graph.sections[s].free; ++side)
         while (match_pair(graph, s, side)) {
           changed = true;
           if (graph.points.size() > limit)

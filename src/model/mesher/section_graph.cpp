@@ -14,6 +14,12 @@ std::string plane_place(const PlanePoint& p) {
   return text;
 }
 
+double twice_area(const std::vector<PlanePoint>& loop) {
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) sum += turn(loop[0], loop[i], loop[i + 1]);
+  return sum;
+}
+
 double section_tolerance(const std::vector<Extrude>& extrudes) {
   PlanePoint low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
   for (const auto& extrude : extrudes)
@@ -25,6 +31,12 @@ double section_tolerance(const std::vector<Extrude>& extrudes) {
   return 1e-6 * distance(low, high);
 }
 
+Foot foot_on(const PlanePoint& a, const PlanePoint& b, const PlanePoint& p) {
+  const double length = distance(a, b);
+  const double along = ((p[0] - a[0]) * (b[0] - a[0]) + (p[1] - a[1]) * (b[1] - a[1])) / (length * length);
+  return {along, std::abs(turn(a, b, p)) / length};
+}
+
 bool touch_along_y(const Extrude& a, const Extrude& b, double tolerance) {
   return a.y0 <= b.y0 + b.length + tolerance && b.y0 <= a.y0 + a.length + tolerance;
 }
@@ -32,41 +44,29 @@ bool touch_along_y(const Extrude& a, const Extrude& b, double tolerance) {
 std::vector<int> Section::side(int k) const {
   const bool forward = k < 2;
   const int from = corners[k], to = corners[(k + 1) % 4];
-  const std::size_t n = outline.size();
-  std::size_t at = std::find(outline.begin(), outline.end(), from) - outline.begin();
+  const auto& around = outline();
+  const std::size_t n = around.size();
+  std::size_t at = std::find(around.begin(), around.end(), from) - around.begin();
   std::vector<int> vertices{from};
-  while (outline[at] != to) {
+  while (around[at] != to) {
     at = (at + 1) % n;
-    vertices.push_back(outline[at]);
+    vertices.push_back(around[at]);
   }
   if (!forward) std::reverse(vertices.begin(), vertices.end());
   return vertices;
 }
 
 void SectionGraph::insert_on_edge(int a, int b, int vertex) {
-  for (auto& section : sections) {
-    auto& outline = section.outline;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const int p = outline[i], q = outline[(i + 1) % outline.size()];
-      if ((p == a && q == b) || (p == b && q == a)) {
-        outline.insert(outline.begin() + static_cast<long>(i) + 1, vertex);
-        break;
-      }
-    }
-  }
+  for (auto& section : sections)
+    for (auto& loop : section.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        if (edge_of(loop[i], loop[(i + 1) % loop.size()]) == edge_of(a, b)) {
+          loop.insert(loop.begin() + static_cast<long>(i) + 1, vertex);
+          break;
+        }
 }
 
 namespace {
-
-/// Place of p along the segment a-b, from 0 to 1, and its distance from the line.
-struct Foot {
-  double along, off;
-};
-Foot foot_on(const PlanePoint& a, const PlanePoint& b, const PlanePoint& p) {
-  const double length = distance(a, b);
-  const double along = ((p[0] - a[0]) * (b[0] - a[0]) + (p[1] - a[1]) * (b[1] - a[1])) / (length * length);
-  return {along, std::abs(turn(a, b, p)) / length};
-}
 
 class Joining {
  public:
@@ -92,17 +92,30 @@ class Joining {
   void add_section(const Extrude& extrude) {
     Section section;
     section.extrude = &extrude;
-    std::vector<int> vertices;  // in the deck's order
-    for (const auto& p : extrude.section) vertices.push_back(vertex_at(p));
-    double twice_area = 0;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      twice_area += turn(graph_.points[vertices[0]], graph_.points[vertices[i]],
-                         graph_.points[vertices[(i + 1) % vertices.size()]]);
-    const bool clockwise = twice_area < 0;
-    section.outline = vertices;
-    if (clockwise) std::reverse(section.outline.begin(), section.outline.end());
+    const bool clockwise = twice_area(extrude.section) < 0;
+    const auto vertices = vertices_at(extrude.section);  // in the deck's order
+    section.loops.push_back(turned(vertices, clockwise));
+    for (const auto& hole : extrude.holes) section.loops.push_back(turned(vertices_at(hole), twice_area(hole) > 0));
 
     const auto chosen = choose_corners(extrude);
+    section.free = !chosen;
+    if (chosen) choose_sides(section, *chosen, vertices, clockwise);
+    graph_.sections.push_back(section);
+  }
+
+  std::vector<int> vertices_at(const std::vector<PlanePoint>& points) {
+    std::vector<int> vertices;
+    for (const auto& p : points) vertices.push_back(vertex_at(p));
+    return vertices;
+  }
+  static std::vector<int> turned(std::vector<int> vertices, bool turn) {
+    if (turn) std::reverse(vertices.begin(), vertices.end());
+    return vertices;
+  }
+
+  void choose_sides(Section& section, const std::array<int, 4>& chosen, const std::vector<int>& vertices,
+                    bool clockwise) {
+    const Extrude& extrude = *section.extrude;
     std::array<int, 4> deck;
     for (int k = 0; k < 4; ++k) deck[k] = vertices[chosen[k]];
     // Corner 0 is chosen so that the first side faces down most: its direction, counter-clockwise, is along +x.
@@ -121,14 +134,14 @@ class Joining {
       const auto asked = extrude.divisions.find(deck_side + 1);
       section.divisions[k] = asked == extrude.divisions.end() ? 0 : asked->second;
     }
-    graph_.sections.push_back(section);
   }
 
   /// Vertices of one section that lie on an edge of another become vertices of both; those that nearly do are errors.
   void share_edges() {
     Complaints complaints;
     for (std::size_t s = 0; s < graph_.sections.size(); ++s) {
-      const auto vertices = graph_.sections[s].outline;
+      std::vector<int> vertices;
+      for (const auto& loop : graph_.sections[s].loops) vertices.insert(vertices.end(), loop.begin(), loop.end());
       for (std::size_t t = 0; t < graph_.sections.size(); ++t) {
         const Extrude &own = *graph_.sections[s].extrude, &other = *graph_.sections[t].extrude;
         if (s == t || !touch_along_y(own, other, tolerance_)) continue;
@@ -139,13 +152,13 @@ class Joining {
   }
 
   void share_vertex(int v, const Extrude& own, int t, Complaints& complaints) {
-    const auto outline = graph_.sections[t].outline;
-    if (std::find(outline.begin(), outline.end(), v) != outline.end()) return;
+    std::vector<std::pair<int, int>> edges;
+    SectionGraph::for_each_edge(graph_.sections[t], [&](int a, int b) { edges.push_back({a, b}); });
+    if (std::any_of(edges.begin(), edges.end(), [&](const auto& edge) { return edge.first == v; })) return;
     const Extrude& other = *graph_.sections[t].extrude;
     const double near = 0.01 * std::min(own.size, other.size);
     const auto& p = graph_.points[v];
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const int a = outline[i], b = outline[(i + 1) % outline.size()];
+    for (const auto& [a, b] : edges) {
       const auto foot = foot_on(graph_.points[a], graph_.points[b], p);
       const double to_corner = distance(graph_.points[a], p);
       const bool beside = foot.along > 0 && foot.along < 1;

@@ -39,7 +39,8 @@ void check_cells(const SectionGraph& graph, const Section& section, const Sectio
                         "extrude '" + section.extrude->name + "': the grid between the corners " + corners +
                             " folds at " + plane_place(corner) +
                             "; the outline is no logical quad with these corners: name others, corners = {i, j, k, l}, "
-                            "or divide the section into several extrudes that share edges");
+                            "divide the section into several extrudes that share edges, or mesh it free of rows, "
+                            "structured = false");
       }
     }
 }

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "model/mesher/spacing.hpp"
 
 namespace ashlar {
 
 namespace {
-
-using Edge = std::pair<int, int>;  // smaller vertex first
-Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// Edges in groups that run in step, with the direction of each relative to its group's first (union-find).
 class EdgeGroups {
@@ -49,11 +47,23 @@ class EdgeGroups {
 
 /// One strip: the spacing of the section that needs most elements on it, or the divisions asked.
 struct Strip {
-  Spacing spacing;  // in the direction of the group's first edge
+  Spacing spacing;                     // in the direction of the group's first edge
+  double size = HUGE_VAL;              // smallest of the sections in rows
+  std::optional<EdgeProfile> profile;  // of a section meshed free that needs more; in the same direction
+  bool even = false;                   // a section meshed free halves its edges
   int asked = 0;
   const Section* asking = nullptr;
   int asking_side = 0;
-  int count() const { return asked ? asked : spacing.count(); }
+
+  double natural_count() const { return profile ? profile->natural_count() : spacing.natural_count(); }
+  int count() const {
+    const int n = asked ? asked : std::max(1, static_cast<int>(std::min(std::ceil(natural_count() - 0.05), 1e9)));
+    return even ? n + n % 2 : n;
+  }
+  std::vector<double> places(int n, bool reversed) const {
+    if (profile) return (reversed ? profile->reversed() : *profile).places(n);
+    return (reversed ? spacing.reversed() : spacing).places(n);
+  }
 };
 
 /// `divisions` of one side, over the strips that cross it.
@@ -66,23 +76,31 @@ struct Demand {
 
 class Dividing {
  public:
-  explicit Dividing(const SectionGraph& graph) : graph_(graph) {}
+  Dividing(const SectionGraph& graph, FreeSizes& free) : graph_(graph), free_(free) {}
 
   EdgePoints run() {
     group_edges();
     measure_vertices();
     for (const auto& section : graph_.sections)
-      for (int side = 0; side < 2; ++side) need(section, side);
+      for (int side = 0; side < 2 && !section.free; ++side) need(section, side);
+    need_of_free_sections();
     grant_demands();
     EdgePoints points;
     for (const auto& [edge, number] : groups_.numbers()) points[edge] = divide(edge, groups_.find(number));
+    for (const auto& [edge, places] : points)
+      if (free_.has(edge)) free_.take(edge, places);
+    free_.update();
+    for (const auto& section : graph_.sections)
+      SectionGraph::for_each_edge(section, [&](int a, int b) {
+        if (const Edge edge = edge_of(a, b); !points.contains(edge)) points[edge] = free_.divide(edge);
+      });
     return points;
   }
 
  private:
   void group_edges() {
     for (const auto& section : graph_.sections)
-      for (int side = 0; side < 2; ++side) {
+      for (int side = 0; side < 2 && !section.free; ++side) {
         const auto a = section.side(side), b = section.side(side + 2);
         for (std::size_t i = 0; i + 1 < a.size(); ++i)
           groups_.join(groups_.number(edge_of(a[i], a[i + 1])), groups_.number(edge_of(b[i], b[i + 1])),
@@ -92,9 +110,21 @@ class Dividing {
 
   /// The finest size of the sections at each vertex.
   void measure_vertices() {
-    vertex_size_.assign(graph_.points.size(), std::numeric_limits<double>::infinity());
+    for (int v = 0; v < static_cast<int>(graph_.points.size()); ++v) vertex_size_.push_back(free_.at_vertex(v));
     for (const auto& section : graph_.sections)
-      for (const int v : section.outline) vertex_size_[v] = std::min(vertex_size_[v], section.extrude->size);
+      if (!section.free)
+        for (const int v : section.outline()) vertex_size_[v] = std::min(vertex_size_[v], section.extrude->size);
+  }
+  void need_of_free_sections() {
+    for (const auto& [edge, number] : groups_.numbers()) {
+      if (!free_.has(edge)) continue;
+      const auto member = groups_.find(number);
+      auto& strip = strips_.at(member.group);
+      strip.even |= free_.even(edge);
+      const auto profile = free_.profile(edge, strip.size);
+      if (profile.natural_count() >= strip.natural_count())
+        strip.profile = member.reversed ? profile.reversed() : profile;
+    }
   }
   double finest(const std::vector<int>& vertices) const {
     double size = std::numeric_limits<double>::infinity();
@@ -114,9 +144,11 @@ class Dividing {
       const auto member = groups_.find(groups_.number(edge_of(a[i], a[i + 1])));
       const double length = std::max(distance(graph_.points[a[i]], graph_.points[a[i + 1]]),
                                      distance(graph_.points[b[i]], graph_.points[b[i + 1]]));
-      Spacing spacing{length, section.extrude->size, size_between(i), size_between(i + 1), section.extrude->grade};
+      Spacing spacing{length, section.extrude->size, size_between(i), size_between(i + 1),
+                      std::max(1.0, section.extrude->grow)};
       if ((a[i] > a[i + 1]) != member.reversed) spacing = spacing.reversed();
       auto& strip = strips_[member.group];
+      strip.size = std::min(strip.size, section.extrude->size);
       if (strip.spacing.length == 0 || spacing.natural_count() > strip.spacing.natural_count()) strip.spacing = spacing;
       strips.push_back(member.group);
     }
@@ -144,21 +176,29 @@ class Dividing {
       for (const int s : demand.strips) sum += strips_[s].asked;
       if (sum != demand.count) refuse(demand);
     }
+    for (const auto& [group, strip] : strips_)
+      if (strip.asked % 2 && strip.even)
+        throw DeckError(
+            strip.asking->extrude->where,
+            "extrude '" + strip.asking->extrude->name + "': divisions on side " +
+                std::to_string(strip.asking->deck_side[strip.asking_side]) + " put " + std::to_string(strip.asked) +
+                " elements on an edge of a neighbour that is made of split " +
+                "triangles, two elements an edge; give an even number, or the neighbour elements = " + "\"wedge6\"");
   }
 
   /// Divides `count` over the strips in proportion to their natural counts, at least one each.
   void share_out(int count, const std::vector<int>& strips, const Demand& demand) {
     double natural = 0;
-    for (const int s : strips) natural += strips_[s].spacing.natural_count();
+    for (const int s : strips) natural += strips_[s].natural_count();
     int behind = static_cast<int>(strips.size());
     for (const int s : strips) {
       auto& strip = strips_[s];
-      const double share = count * strip.spacing.natural_count() / natural;
+      const double share = count * strip.natural_count() / natural;
       strip.asked = std::clamp(static_cast<int>(std::lround(share)), 1, count - --behind);
       strip.asking = demand.section;
       strip.asking_side = demand.side;
       count -= strip.asked;
-      natural -= strip.spacing.natural_count();
+      natural -= strip.natural_count();
     }
   }
 
@@ -186,7 +226,7 @@ class Dividing {
                                                              " to " + plane_place(graph_.points[edge.second]) +
                                                              " would have " + std::to_string(n) +
                                                              " elements; is 'size' in metres?");
-    const auto places = (member.reversed ? strip.spacing.reversed() : strip.spacing).places(n);
+    const auto places = strip.places(n, member.reversed);
     const auto &p = graph_.points[edge.first], &q = graph_.points[edge.second];
     std::vector<PlanePoint> points{p};
     for (int k = 1; k < n; ++k) points.push_back({p[0] + places[k] * (q[0] - p[0]), p[1] + places[k] * (q[1] - p[1])});
@@ -195,6 +235,7 @@ class Dividing {
   }
 
   const SectionGraph& graph_;
+  FreeSizes& free_;
   EdgeGroups groups_;
   std::vector<double> vertex_size_;
   std::map<int, Strip> strips_;
@@ -203,6 +244,6 @@ class Dividing {
 
 }  // namespace
 
-EdgePoints divide_edges(const SectionGraph& graph) { return Dividing(graph).run(); }
+EdgePoints divide_edges(const SectionGraph& graph, FreeSizes& free) { return Dividing(graph, free).run(); }
 
 }  // namespace ashlar

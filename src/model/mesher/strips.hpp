@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/mesher/free_sizes.hpp"
 #include "model/mesher/section_graph.hpp"
 
 /// Opposite edges of a logical quad have equal divisions; so have the opposite edges of its neighbour across a shared
@@ -22,10 +23,11 @@ FacingPlaces facing_places(const std::vector<PlanePoint>& a, const std::vector<P
 void match_opposite_sides(SectionGraph& graph);
 
 /// Points along every edge of the graph, keyed by (smaller vertex, larger vertex), in that direction, ends included.
-using EdgePoints = std::map<std::pair<int, int>, std::vector<PlanePoint>>;
+using EdgePoints = std::map<Edge, std::vector<PlanePoint>>;
 
-/// Divides all edges: strip by strip, by the finest size on it, graded, or as `divisions` asks.
+/// Divides all edges: those of logical quads strip by strip, by the finest size on it, graded, or as `divisions` asks;
+/// then those of sections meshed free, whose sizes follow the strips beside them.
 /// Throws DeckError where `divisions` contradict each other.
-EdgePoints divide_edges(const SectionGraph& graph);
+EdgePoints divide_edges(const SectionGraph& graph, FreeSizes& free);
 
 }  // namespace ashlar
