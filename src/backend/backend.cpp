@@ -37,6 +37,10 @@ const char* phase_name(Phase phase) {
     case Phase::balance_product: return "balance_product";
     case Phase::balance_advance: return "balance_advance";
     case Phase::gauss_temperature: return "gauss_temperature";
+    case Phase::start_motion: return "start_motion";
+    case Phase::advance_springs: return "advance_springs";
+    case Phase::damping_force: return "damping_force";
+    case Phase::step_motion: return "step_motion";
     case Phase::count: break;
   }
   return "?";

@@ -42,6 +42,10 @@ enum class Phase : std::uint8_t {
   balance_product,       ///< stiffness times direction, springs bonded, no temperature
   balance_advance,       ///< displacement moved by Controls::search_length along the direction
   gauss_temperature,     ///< Field::warming from the present temperature
+  start_motion,          ///< dynamic stages: no work done yet, no stiffness damping; kept force: at rest
+  advance_springs,       ///< springs crack and slide by the present displacement
+  damping_force,         ///< stiffness-proportional: Controls::stiffness_damping times elastic force of the velocity
+  step_motion,           ///< velocity, then displacement, in time with the real mass
   count
 };
 const char* phase_name(Phase phase);
@@ -61,6 +65,7 @@ enum class Field : std::uint8_t {
   contact_state,        ///< [contact points] ContactState as a number
   utilisation,          ///< [contact points] 1: at its strength
   displacement_before,  ///< [3 * block nodes] m, start of the way that spring_crossing looks at
+  spring_dissipation,   ///< [contact points] J since start_motion, by sliding and cracking
   temperature,          ///< [mesh nodes] degC
   heat,                 ///< [mesh nodes] W into the body: flux, and film times ambient
   inverse_capacity,     ///< [mesh nodes] K/J
@@ -71,12 +76,16 @@ enum class Field : std::uint8_t {
 
 /// Numbers that a step needs from the solver.
 struct Controls {
-  double local_damping = 0;    ///< Cundall's alpha
-  double viscous_damping = 0;  ///< c of one unit step, < 2
-  double break_threshold = 1;  ///< share of strength
-  double time_step = 0;        ///< s
-  double search_length = 0;    ///< conjugate gradients: alpha
-  double search_keep = 0;      ///< conjugate gradients: beta
+  double local_damping = 0;      ///< Cundall's alpha
+  double viscous_damping = 0;    ///< c of one unit step, < 2
+  double break_threshold = 1;    ///< share of strength
+  double time_step = 0;          ///< s; of displacement in motions
+  double velocity_step = 0;      ///< s, motions: half of time_step in the first step
+  double step_before = 0;        ///< s, motions: the time_step before this one; 0 in the first
+  double mass_damping = 0;       ///< motions: Rayleigh, 1/s
+  double stiffness_damping = 0;  ///< motions: Rayleigh, s
+  double search_length = 0;      ///< conjugate gradients: alpha
+  double search_keep = 0;        ///< conjugate gradients: beta
 };
 
 struct RelaxationMeasure {
@@ -95,6 +104,16 @@ struct HeatMeasure {
   double residual = 0;        ///< |residual|, W
   double preconditioned = 0;  ///< residual . residual / diagonal, W K
   double along = 0;           ///< direction . Field::heat_flow, W K
+};
+
+/// Energies of a motion between its last two displacements, blocks and springs (central difference: velocity and
+/// the product of two displacements belong to the same moment, and their sum is kept to rounding).
+struct MotionMeasure {
+  double kinetic = 0;    ///< J
+  double potential = 0;  ///< J, (u_before . force(u) + u . force(0)) / 2: strain energy, less work of thermal strain
+  double rest_work = 0;  ///< J, u . force(0)
+  double supplied = 0;   ///< J since start_motion, work of the load
+  double damped = 0;     ///< J since start_motion, taken out by damping
 };
 
 /// Groups of nodes that relaxation moves together (see GroupView), machine's numbering.
@@ -140,6 +159,8 @@ class Backend {
   double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
   virtual RelaxationMeasure relaxation_sums() = 0;
   virtual HeatMeasure heat_sums() = 0;
+  /// After a force at the displacement that a step of `step_before` seconds led to.
+  virtual MotionMeasure motion_sums(double step_before) = 0;
   /// Every node is by itself until groups are written.
   virtual void write_groups(const NodeGroups& groups) = 0;
   virtual void write_aggregates(const NodeAggregates& aggregates) = 0;

@@ -6,11 +6,13 @@
 #include "backend/backend.hpp"
 #include "backend/balance_lane.hpp"
 #include "backend/heat_lane.hpp"
+#include "backend/motion_lane.hpp"
 #include "backend/node_set.hpp"
 #include "kernels/block_force.hpp"
 #include "kernels/gather.hpp"
 #include "kernels/move_nodes.hpp"
 #include "kernels/relaxation_sums.hpp"
+#include "kernels/spring_advance.hpp"
 #include "kernels/spring_break.hpp"
 #include "kernels/spring_force.hpp"
 #include "physics/shapes/hex8.hpp"
@@ -184,6 +186,12 @@ class Phases final : public Backend {
       case Phase::balance_advance:
         return exec_.for_each(node_count(), BalanceAdvance<Real>{balance_view(), Real(controls.search_length)});
       case Phase::gauss_temperature: return heat_.warm_gauss_points(exec_, warming_.data());
+      case Phase::start_motion: return motion_.start(node_count(), contact_count());
+      case Phase::advance_springs:
+        return exec_.for_each(contact_count(), AdvanceSprings<Real>{springs_.view(), body_.u, springs_.slip.data(),
+                                                                    motion_.spring_dissipation.data()});
+      case Phase::damping_force: return damping_force(controls.stiffness_damping);
+      case Phase::step_motion: return motion_.step(exec_, body_, controls);
       case Phase::count: break;
     }
     throw std::logic_error("not a phase");
@@ -225,6 +233,7 @@ class Phases final : public Backend {
     balance_.prolong(exec_, balance_view(), movement);
   }
   HeatMeasure heat_sums() override { return heat_.sums(exec_); }
+  MotionMeasure motion_sums(double step_before) override { return motion_.sums(exec_, body_, step_before); }
   void write_films(const FilmMatrix& films) override { heat_.write_films(films); }
 
   std::size_t size(Field field) const override {
@@ -315,6 +324,13 @@ class Phases final : public Backend {
     exec_.for_each(contact_count(), SpringForce<Real>{springs, moved.u});
     exec_.for_each(springs.node_count, GatherSpring<Real>{springs, view.product});
   }
+  void damping_force(double factor) {
+    BodyView<Real> moved = body_;
+    moved.u = u_before_.data();
+    moved.force = motion_.scale_velocity(exec_, body_, factor, u_before_.data());
+    each_batch([&](auto element, const auto& law, int b) { cold_forces(element, law, b, moved); });
+    gather_boundary(moved.force);
+  }
   template <template <class> class E, class Point>
   void cold_forces(ElementTag<E>, const Point& law, int b, const BodyView<Real>& body) {
     exec_.template block_forces<E, false>(body, batch_view(b), law, discretisation_, b);
@@ -348,6 +364,7 @@ class Phases final : public Backend {
       case Field::contact_state: return visit(self.springs_.state);
       case Field::utilisation: return visit(self.springs_.utilisation);
       case Field::displacement_before: return visit(self.u_before_);
+      case Field::spring_dissipation: return visit(self.motion_.spring_dissipation);
       case Field::temperature: return visit(self.heat_.temperature);
       case Field::heat: return visit(self.heat_.heat);
       case Field::inverse_capacity: return visit(self.heat_.inverse_capacity);
@@ -379,6 +396,7 @@ class Phases final : public Backend {
   BalanceLane<Exec, Real> balance_;
   Array<Real> no_slip_;
   HeatLane<Exec, Real> heat_;
+  MotionLane<Exec, Real> motion_;
   Array<Real> x_, u_, v_, load_, force_, kept_force_, u_before_, inverse_mass_, stiffness_, corner_force_, partial_,
       warming_, stress_;
   Array<std::uint8_t> fixed_;

@@ -148,12 +148,26 @@ struct FractureSolve {
   long max_events = 100000;
 };
 
+/// Motion in time with the real mass, from rest or from the end of a dynamic stage before.
+struct DynamicSolve {
+  double duration = 0;                        ///< s
+  double local_damping = 0;                   ///< Cundall's alpha: force that opposes motion, as a share of the unbalanced force
+  double mass_damping = 0;                    ///< Rayleigh's factor of the mass, 1/s
+  double stiffness_damping = 0;               ///< Rayleigh's factor of the blocks' stiffness, s
+  double time_step = 0;                       ///< s; 0: time_factor of the stable one
+  double time_factor = 0;                     ///< share of the stable step (0: 0.9); above 1 to see a motion run away
+  double record_every = 0;                    ///< s between history rows; 0: a hundredth of the duration
+};
+
+/// How a stage is solved.
+using Solve = std::variant<StaticSolve, ThermalSolve, FractureSolve, DynamicSolve>;
+
 struct Stage {
   std::string name;
   Where where;
   std::vector<int> apply;                     ///< indices into Model::conditions, from this stage on
   std::vector<std::string> remove;            ///< names of conditions that stop acting from this stage on
-  std::variant<StaticSolve, ThermalSolve, FractureSolve> solve;
+  Solve solve;
   bool reset_displacement = false;            ///< after this stage, output displacement counts from its end
 };
 
@@ -173,7 +187,7 @@ struct Output {
   std::string name;
   Where where;
   std::vector<std::string> record;            ///< names of io/result fields
-  int every = 0;                              ///< 0: stage ends only; n: also every n-th increment of fracture stages / n-th of thermal durations
+  int every = 0;                              ///< 0: stage ends only; n: also every n-th increment of fracture stages / n-th of thermal durations / n-th record of dynamic stages
 };
 
 /// `picture "cracks" { of = "temperature", stage = "winter", ... }`: handed to the plotting program through the manifest.

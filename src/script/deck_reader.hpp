@@ -37,12 +37,12 @@ class DeckReader {
   std::map<int, std::pair<std::string, Where>> open_;              ///< named calls that wait for their table
   int next_open_ = 1;
   std::vector<std::pair<std::string, Fields>> imports_;  ///< name and table of import_mesh calls
-  std::vector<std::variant<StaticSolve, ThermalSolve, FractureSolve>> solves_;
+  std::vector<Solve> solves_;
 };
 
 /// Adds a checked noun to the deck. A condition or a solve has its index in the returned handle.
 /// Further complaints, about keys that do not fit together, go to the sandbox.
-int add_to_deck(Deck& deck, std::vector<std::variant<StaticSolve, ThermalSolve, FractureSolve>>& solves,
-                const NounRule& noun, const std::string& name, const Fields& fields);
+int add_to_deck(Deck& deck, std::vector<Solve>& solves, const NounRule& noun, const std::string& name,
+                const Fields& fields);
 
 }  // namespace ashlar

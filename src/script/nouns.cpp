@@ -8,8 +8,6 @@
 namespace ashlar {
 namespace {
 
-using Solve = std::variant<StaticSolve, ThermalSolve, FractureSolve>;
-
 /// One noun call on its way into the model.
 struct Call {
   Deck& deck;
@@ -178,8 +176,10 @@ Relaxation relaxation(const Fields& f) {
           damping == "local"     ? Damping::local
           : damping == "viscous" ? Damping::viscous
                                  : Damping::adaptive,
-          f.maybe("damping_value").value_or(0), f.number("step_factor"),
-          static_cast<long>(f.maybe("max_steps").value_or(0)), f.text("start") == "search"};
+          f.maybe("damping_value").value_or(0),
+          f.number("step_factor"),
+          static_cast<long>(f.maybe("max_steps").value_or(0)),
+          f.text("start") == "search"};
 }
 
 int add_solve(const Call& c) {

@@ -13,6 +13,7 @@ namespace ashlar {
 namespace {
 
 constexpr const char* stress_components[6] = {"xx", "yy", "zz", "xy", "yz", "zx"};
+constexpr const char* energy_parts[5] = {"kinetic", "strain", "dissipated", "external_work", "error"};
 constexpr const char* axes[3] = {"x", "y", "z"};
 
 Location point_of(const Mesh& mesh, const History& history) {
@@ -37,17 +38,22 @@ bool finite(const std::vector<double>& values) {
 Recorder::Recorder(const Problem& problem, Observer& observer) : problem_(problem), observer_(observer) {
   reference_displacement_.assign(3 * static_cast<std::size_t>(problem.blocks.node_count()), 0);
   surface_load_ = reference_displacement_;
+  for (const Stage& s : problem.model.stages) timed_ = timed_ || std::holds_alternative<DynamicSolve>(s.solve);
   for (const History& h : problem.model.histories) {
     Probe probe{&h, {}, {}};
     if (h.at) {
       probe.location = point_of(problem.model.mesh, h);
-    } else {
+    } else if (!h.surface.empty()) {
       const Surface* surface = problem.model.mesh.find_surface(h.surface);
       if (!surface) throw DeckError(h.where, "history '" + h.name + "': no surface is called '" + h.surface + "'");
       probe.nodes = surface_nodes(problem.model.mesh, problem.blocks.corners, *surface);
     }
     HistoryTable table;
     table.name = h.name;
+    if (timed_) {
+      table.columns.push_back("seconds");
+      table.units.push_back("s");
+    }
     add_columns(probe, table);
     tables_.push_back(std::move(table));
     probes_.push_back(std::move(probe));
@@ -63,8 +69,16 @@ void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
   };
   for (const std::string& record : probe.history->record) {
     const bool at_point = probe.history->at.has_value();
+    const bool on_surface = !at_point && !probe.history->surface.empty();
     if (at_point && record == "displacement") {
       vector(record, "m");
+    } else if (at_point && record == "velocity") {
+      vector(record, "m/s");
+    } else if (!at_point && !on_surface && record == "energy") {
+      for (const char* part : energy_parts) {
+        table.columns.push_back(record + "." + part);
+        table.units.push_back("J");
+      }
     } else if (at_point && record == "temperature") {
       table.columns.push_back(record);
       table.units.push_back("degC");
@@ -73,14 +87,16 @@ void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
         table.columns.push_back(record + "." + c);
         table.units.push_back("Pa");
       }
-    } else if (!at_point && (record == "reaction" || record == "load")) {
+    } else if (on_surface && (record == "reaction" || record == "load")) {
       vector(record, "N");
-    } else if (!at_point && record == "load_moment") {
+    } else if (on_surface && record == "load_moment") {
       vector(record, "N m");
     } else {
-      throw DeckError(probe.history->where, "history '" + probe.history->name + "': cannot record '" + record + "' " +
-                                                (at_point ? "at a point; valid: displacement, temperature, stress"
-                                                          : "on a surface; valid: reaction, load, load_moment"));
+      throw DeckError(probe.history->where,
+                      "history '" + probe.history->name + "': cannot record '" + record + "' " +
+                          (at_point     ? "at a point; valid: displacement, velocity, temperature, stress"
+                           : on_surface ? "on a surface; valid: reaction, load, load_moment"
+                                        : "of the whole model; valid: energy"));
     }
   }
 }
@@ -91,25 +107,39 @@ std::vector<double> Recorder::displacement() const {
 
 void Recorder::reset_displacement() { reference_displacement_ = displacement(); }
 
+/// Mean over the copies of a node, or interpolated in an element. `field` [3 * block nodes], Blocks order.
+Vec3<double> Recorder::at_point(const Probe& probe, const std::vector<double>& field) const {
+  const Blocks& blocks = problem_.blocks;
+  Vec3<double> value;
+  const auto add = [&](double weight, int n) {
+    for (int c = 0; c < 3; ++c) value[c] += weight * field[3 * n + c];
+  };
+  if (const int n = probe.location.node; n >= 0) {
+    const int copies = blocks.first_copy[n + 1] - blocks.first_copy[n];
+    for (int copy = blocks.first_copy[n]; copy < blocks.first_copy[n + 1]; ++copy) add(1.0 / copies, copy);
+  } else {
+    for (std::size_t k = 0; k < probe.location.weights.size(); ++k)
+      add(probe.location.weights[k], blocks.corners[problem_.model.mesh.first_corner[probe.location.element] + k]);
+  }
+  return value;
+}
+
 void Recorder::add_values(const Probe& probe, std::vector<double>& row) {
   const Mesh& mesh = problem_.model.mesh;
   const Blocks& blocks = problem_.blocks;
   Backend& backend = *problem_.backend;
   for (const std::string& record : probe.history->record) {
     if (record == "displacement") {
-      const std::vector<double> u = displacement();
-      Vec3<double> value;
-      const auto add = [&](double weight, int n) {
-        for (int c = 0; c < 3; ++c) value[c] += weight * (u[3 * n + c] - reference_displacement_[3 * n + c]);
-      };
-      if (const int n = probe.location.node; n >= 0) {
-        const int copies = blocks.first_copy[n + 1] - blocks.first_copy[n];
-        for (int copy = blocks.first_copy[n]; copy < blocks.first_copy[n + 1]; ++copy) add(1.0 / copies, copy);
-      } else {
-        for (std::size_t k = 0; k < probe.location.weights.size(); ++k)
-          add(probe.location.weights[k], blocks.corners[mesh.first_corner[probe.location.element] + k]);
-      }
+      std::vector<double> u = displacement();
+      for (std::size_t i = 0; i < u.size(); ++i) u[i] -= reference_displacement_[i];
+      const Vec3<double> value = at_point(probe, u);
       for (int c = 0; c < 3; ++c) row.push_back(value[c]);
+    } else if (record == "velocity") {
+      const Vec3<double> value = velocity_.empty() ? Vec3<double>{} : at_point(probe, velocity_);
+      for (int c = 0; c < 3; ++c) row.push_back(value[c]);
+    } else if (record == "energy") {
+      row.insert(row.end(),
+                 {energy_.kinetic, energy_.strain, energy_.dissipated, energy_.external_work, energy_.error});
     } else if (record == "temperature") {
       double value = temperature_.empty() ? problem_.model.reference_temperature : 0;
       if (!temperature_.empty())
@@ -143,6 +173,7 @@ void Recorder::add_values(const Probe& probe, std::vector<double>& row) {
 void Recorder::history_rows(const Moment& moment) {
   for (std::size_t h = 0; h < probes_.size(); ++h) {
     HistoryTable::Row row{problem_.model.stages[moment.stage].name, moment.time, moment.load_factor, {}};
+    if (timed_) row.values.push_back(moment.seconds);
     add_values(probes_[h], row.values);
     tables_[h].rows.push_back(std::move(row));
     observer_.history_row(tables_[h]);

@@ -15,6 +15,8 @@ struct Moment {
   double time = 0;  ///< stages done, with the fraction of the present one
   double load_factor = 0;
   bool stage_end = false;
+  double seconds = 0;  ///< dynamic stages: since the stage began
+  int record = 0;      ///< dynamic stages: number of the row, from 1
 };
 
 class Recorder {
@@ -27,6 +29,11 @@ class Recorder {
   void surface_load(std::vector<double> load) { surface_load_ = std::move(load); }
   /// Temperature that stress sees and the thermal one, degC, [mesh nodes]; empty: the model has none.
   void temperature(std::vector<double> temperature) { temperature_ = std::move(temperature); }
+  /// Velocity [3 * block nodes] m/s, Blocks order, and energies of a motion; empty: at rest.
+  void motion(std::vector<double> velocity, const EnergyBalance& energy) {
+    velocity_ = std::move(velocity);
+    energy_ = energy;
+  }
   /// Displacement counts from the present state from now on (numerics 7).
   void reset_displacement();
 
@@ -42,13 +49,16 @@ class Recorder {
   };
   void add_columns(const Probe& probe, HistoryTable& table) const;
   void add_values(const Probe& probe, std::vector<double>& row);
+  Vec3<double> at_point(const Probe& probe, const std::vector<double>& field) const;
   std::vector<double> displacement() const;
 
   const Problem& problem_;
   Observer& observer_;
   std::vector<Probe> probes_;
   std::vector<HistoryTable> tables_;
-  std::vector<double> reference_displacement_, surface_load_, temperature_;
+  std::vector<double> reference_displacement_, surface_load_, temperature_, velocity_;
+  EnergyBalance energy_;
+  bool timed_ = false;  ///< rows begin with the seconds of dynamic stages
 };
 
 }  // namespace ashlar

@@ -14,6 +14,17 @@ struct CrackEvent {
   int contact_points = 0;         ///< how many broke together
   std::string interface;          ///< name in the deck
   std::string mode;               ///< "tension" or "shear"
+  double seconds = 0;             ///< dynamic stages: since the stage began
+};
+
+/// Energies of a motion, J, all in the middle of one step. kinetic + strain + dissipated - external_work keeps its value.
+struct EnergyBalance {
+  double kinetic = 0;
+  double strain = 0;              ///< of blocks and springs, less the work of thermal strain
+  double dissipated = 0;          ///< by damping, sliding and cracking since the stage began
+  double external_work = 0;       ///< of the loads since the stage began
+  double error = 0;               ///< what the sum has gained since the first step
+  double drift = 0;               ///< largest error so far over the peak of kinetic energy, strain energy gained or work
 };
 
 struct PhaseTime {
@@ -23,9 +34,9 @@ struct PhaseTime {
 
 struct StageResult {
   std::string name;
-  std::string kind;               ///< "static", "thermal steady", "thermal transient", "fracture"
+  std::string kind;               ///< "static", "thermal steady", "thermal transient", "fracture", "dynamic"
   bool converged = false;
-  std::string stop_reason;        ///< "converged", "step limit", "not finite", "block free", "interrupted", ...
+  std::string stop_reason;        ///< "converged", "duration reached", "step limit", "not finite", "block free", "interrupted", "runaway energy at ...", ...
   long steps = 0;                 ///< passes over the elements: relaxation steps, heat steps, iterations of conjugate gradients
   double ratio = 0;               ///< unbalanced force ratio or relative residual at the end
   double load_factor = 1;         ///< reached by a fracture stage
@@ -35,7 +46,10 @@ struct StageResult {
   double cracked_area = 0;                             ///< m^2, all broken contact points at the stage's end
   std::map<std::string, double> cracked_area_by_direction;  ///< "horizontal" (normal within 30 deg of z), "vertical" (normal within 30 deg of the horizontal plane), "inclined"
   std::vector<int> free_blocks;                        ///< blocks that lost all contact, Blocks numbering
-  double dissipated_energy = 0;                        ///< J, by sliding and cracking
+  double dissipated_energy = 0;                        ///< J, by sliding and cracking; in dynamic stages also by damping
+  double seconds = 0;                                  ///< dynamic stages: time reached, s
+  double time_step = 0, stable_step = 0;               ///< s, dynamic stages
+  EnergyBalance energy;                                ///< at the end of a dynamic stage
 };
 
 /// One history: columns with units; a row whenever something was recorded (start, increments, stage ends).

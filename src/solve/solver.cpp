@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "solve/dynamic.hpp"
 #include "solve/elastic_start.hpp"
 #include "solve/fracture.hpp"
 #include "solve/recorder.hpp"
@@ -21,10 +22,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 bool is_thermal(const Stage& stage) { return std::holds_alternative<ThermalSolve>(stage.solve); }
+bool is_dynamic(const Stage& stage) { return std::holds_alternative<DynamicSolve>(stage.solve); }
 
 std::string kind_of(const Stage& stage) {
   if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve))
     return thermal->steady ? "thermal steady" : "thermal transient";
+  if (is_dynamic(stage)) return "dynamic";
   return std::holds_alternative<FractureSolve>(stage.solve) ? "fracture" : "static";
 }
 
@@ -57,6 +60,8 @@ class Run {
   }
 
   RunResult run() {
+    for (const Stage& s : problem_.model.stages)
+      if (is_dynamic(s)) check_time_step(problem_, s);
     if (warm_) recorder_.temperature(temperature_);
     if (!problem_.model.stages.empty()) recorder_.history_rows({0, 0, 0, false});
     for (stage_ = 0; stage_ < static_cast<int>(problem_.model.stages.size()); ++stage_) {
@@ -78,10 +83,11 @@ class Run {
     outcome_.kind = kind_of(stage());
     observer_.stage_begins(stage_ + 1, stage().name, outcome_.kind);
     if (warm_) prescribe_temperature(problem_.model, stage_, temperature_);
+    recorder_.motion({}, {});
     std::visit([this](const auto& how) { solve_stage(how); }, stage().solve);
     temperatures_at_end_[stage().name] = temperature_;
 
-    record({stage_, stage_ + 1.0, outcome_.load_factor, true});
+    record({stage_, stage_ + 1.0, outcome_.load_factor, true, outcome_.seconds, 0});
     outcome_.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     const std::vector<double> seconds_after = phase_seconds();
     for (int p = 0; p < static_cast<int>(Phase::count); ++p)
@@ -105,13 +111,13 @@ class Run {
     if (moment.stage_end || wants_output(moment)) recorder_.snapshot(moment);
   }
 
-  /// Outputs inside a stage: every n-th increment.
+  /// Outputs inside a stage: every n-th increment, every n-th record of a motion.
   bool wants_output(const Moment& moment) const {
     const auto* fracture = std::get_if<FractureSolve>(&stage().solve);
-    if (!fracture) return false;
-    const long increment = std::lround(moment.load_factor * fracture->increments);
+    if (!fracture && !is_dynamic(stage())) return false;
+    const long number = fracture ? std::lround(moment.load_factor * fracture->increments) : moment.record;
     for (const Output& o : problem_.model.outputs)
-      if (o.every > 0 && increment % o.every == 0 && increment < fracture->increments) return true;
+      if (o.every > 0 && number % o.every == 0 && !moment.stage_end) return true;
     return false;
   }
 
@@ -124,8 +130,16 @@ class Run {
     problem_.backend->use_warming(true);
   }
 
-  /// Load, supports and given displacements of the stage; returns what Fracture wants to know.
-  FractureLinks set_up(const Relaxation& relaxation) {
+  /// Temperature of the body in time for the stage, and what fracture stages have put on top.
+  void warm_body() {
+    if (!warm_) return;
+    std::vector<double> seen = temperature_;
+    for (std::size_t n = 0; n < seen.size(); ++n) seen[n] += shift_[n];
+    set_body_temperature(seen);
+  }
+
+  /// Load, supports and given displacements of the stage; returns the loads other than weight, the machine's numbering.
+  std::vector<double> set_conditions() {
     Backend& backend = *problem_.backend;
     MechanicalConditions conditions = mechanical_conditions(problem_, stage_);
     backend.write(Field::load, problem_.to_machine(conditions.load, 3));
@@ -136,13 +150,18 @@ class Run {
         u[conditions.prescribed[i]] = conditions.displacement[i];
       backend.write(Field::displacement, problem_.to_machine(u, 3));
     }
-
-    FractureLinks links;
-    links.surface_load = problem_.to_machine(conditions.surface_load, 3);
+    std::vector<double> surface_load = problem_.to_machine(conditions.surface_load, 3);
     recorder_.surface_load(std::move(conditions.surface_load));
-    auto search = std::make_shared<ElasticStart>(problem_);
+    return surface_load;
+  }
+
+  /// Sets the stage up; returns what Fracture wants to know.
+  FractureLinks set_up(const Relaxation& relaxation) {
+    FractureLinks links;
+    links.surface_load = set_conditions();
+    auto search = std::make_shared<ElasticStart>(problem_, *problem_.backend);
     links.relax = [this, &relaxation, search](const RelaxationWatch& watch) {
-      set_virtual_mass(problem_, relaxation);
+      set_virtual_mass(problem_, *problem_.backend, relaxation);
       double start = 0;
       const RelaxationWatch look = [&](long step, double ratio) {
         if (start == 0) start = ratio;
@@ -182,11 +201,7 @@ class Run {
 
   void solve_stage(const StaticSolve& how) {
     increment_ = increments_ = 0;
-    if (warm_) {
-      std::vector<double> seen = temperature_;
-      for (std::size_t n = 0; n < seen.size(); ++n) seen[n] += shift_[n];
-      set_body_temperature(seen);
-    }
+    warm_body();
     const FractureLinks links = set_up(how.relaxation);
     thermal_load_ = warm_ ? thermal_load_norm(*problem_.backend) : 0;
     Fracture fracture(problem_, links, max_static_events);
@@ -220,6 +235,29 @@ class Run {
     fracture.fill(outcome_);
     for (std::size_t n = 0; n < shift_.size(); ++n)
       shift_[n] = body_temperature_[n] - temperatures_at_end_.at(how.to)[n];
+  }
+
+  // ------------------------------------------------------------------ motion
+
+  void solve_stage(const DynamicSolve& how) {
+    increment_ = increments_ = 0;
+    warm_body();
+    set_conditions();
+    DynamicLinks links;
+    links.watch = [this](long step, double fraction) {
+      relaxed_ = fraction;
+      tell(step, 0, 0);
+      return observer_.interrupted();
+    };
+    links.record = [&](int number, double seconds, const std::vector<double>& velocity, const EnergyBalance& energy) {
+      recorder_.motion(problem_.to_blocks(velocity, 3), energy);
+      record({stage_, stage_ + seconds / how.duration, 1, false, seconds, number});
+    };
+    links.cracked = [this](const CrackEvent& event) { observer_.crack(stage().name, event); };
+    const bool moving = stage_ > 0 && is_dynamic(problem_.model.stages[stage_ - 1]);
+    move_in_time(problem_, stage(), moving, links, outcome_);
+    result_.interrupted = result_.interrupted || outcome_.stop_reason == "interrupted";
+    recorder_.motion(problem_.to_blocks(problem_.backend->read(Field::velocity), 3), outcome_.energy);
   }
 
   // ------------------------------------------------------------------ heat

@@ -1,0 +1,57 @@
+#pragma once
+#include <vector>
+
+#include "backend/backend.hpp"
+#include "kernels/motion_step.hpp"
+#include "kernels/motion_sums.hpp"
+
+namespace ashlar {
+
+/// What a motion in time keeps in a machine's memory beside the body; empty until one starts.
+template <class Exec, class Real>
+class MotionLane {
+ public:
+  void start(std::size_t nodes, std::size_t contacts) {
+    supplied_.resize(nodes);
+    damped_.resize(nodes);
+    spring_dissipation.resize(contacts);
+    chunk_sums_.resize(motion_sum_count * ((nodes + motion_chunk_nodes - 1) / motion_chunk_nodes));
+    damped_by_stiffness_ = false;
+  }
+  /// Velocity times `factor`, into `scaled`; makes room for the damping force, which steps take account of from now on.
+  Real* scale_velocity(Exec& exec, const BodyView<Real>& body, double factor, Real* scaled) {
+    if (!damped_by_stiffness_) damping_force_.resize(3 * std::size_t(body.nodes.node_count));
+    damped_by_stiffness_ = true;
+    exec.for_each(body.nodes.node_count, ScaleVelocity<Real>{body, Real(factor), scaled});
+    return damping_force_.data();
+  }
+  void step(Exec& exec, const BodyView<Real>& body, const Controls& c) {
+    const MotionStep<Real> step{Real(c.velocity_step), Real(c.time_step), c.step_before, Real(c.local_damping),
+                                Real(c.mass_damping)};
+    exec.for_each(body.nodes.node_count, StepMotion<Real>{body, view(), step});
+  }
+  MotionMeasure sums(Exec& exec, const BodyView<Real>& body, double step_before) {
+    const int chunks = static_cast<int>(chunk_sums_.size() / motion_sum_count);
+    exec.for_each(chunks, MotionSums<Real>{body, view(), step_before, chunk_sums_.data()});
+    std::vector<double> parts(chunk_sums_.size());
+    chunk_sums_.download(parts);
+    double s[motion_sum_count] = {};
+    for (std::size_t i = 0; i < parts.size(); ++i) s[i % motion_sum_count] += parts[i];
+    return {s[motion_kinetic], s[motion_potential], s[motion_rest_work], s[motion_supplied], s[motion_damped]};
+  }
+
+ private:
+  template <class T>
+  using Array = typename Exec::template Array<T>;
+  MotionView<Real> view() {
+    return {damped_by_stiffness_ ? damping_force_.data() : nullptr, supplied_.data(), damped_.data()};
+  }
+  bool damped_by_stiffness_ = false;
+  Array<Real> damping_force_;
+  Array<double> supplied_, damped_, chunk_sums_;
+
+ public:
+  Array<double> spring_dissipation;  ///< [contacts] J
+};
+
+}  // namespace ashlar

@@ -1,0 +1,281 @@
+#include "solve/dynamic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "model/loads.hpp"
+#include "solve/crack_events.hpp"
+#include "solve/relaxation.hpp"
+
+namespace ashlar {
+
+namespace {
+
+constexpr double safety = 0.9;             // of the stable step, unless the deck chooses
+constexpr long look_interval = 10;         // steps between two looks at the energies
+constexpr double runaway_energy = 1000;    // kinetic energy over all that the loads could have given
+constexpr double records_per_stage = 100;  // unless the deck gives an interval
+
+/// Integral of N rho dV at every block node, kg, the machine's numbering.
+std::vector<double> lumped_mass(const Problem& problem) {
+  std::vector<double> weight(3 * static_cast<std::size_t>(problem.blocks.node_count()));
+  add_gravity(problem.model, problem.blocks.corners, {1, 0, 0}, weight);  // of a unit acceleration along x
+  std::vector<double> mass(problem.blocks.node_count());
+  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] = weight[3 * n];
+  return problem.to_machine(mass, 1);
+}
+
+/// One stage in motion.
+class Motion {
+ public:
+  Motion(const Problem& problem, const Stage& stage, const DynamicLinks& links, StageResult& result)
+      : problem_(problem),
+        backend_(*problem.backend),
+        stage_(stage),
+        solve_(std::get<DynamicSolve>(stage.solve)),
+        links_(links),
+        result_(result),
+        mass_(lumped_mass(problem)),
+        contacts_(problem),
+        cracks_(problem) {}
+
+  void run(bool moving) {
+    choose_step();
+    start(moving);
+    const double interval = solve_.record_every > 0 ? solve_.record_every : solve_.duration / records_per_stage;
+    int records = 0;
+    for (long n = 1; n <= steps_; ++n) {
+      evaluate();
+      result_.steps = n;
+      const double seconds = static_cast<double>(n) * step_;
+      result_.seconds = seconds;
+      const bool end = n == steps_, record = end || seconds >= (records + 1) * interval * (1 - 1e-12);
+      if ((record || n == 1 || n % look_interval == 0) && !look(seconds, record)) return;
+      if (record) {
+        records = std::max(records + 1, static_cast<int>(seconds / interval * (1 + 1e-12)));
+        const std::vector<double> velocity = present_velocity(end);
+        if (!end) links_.record(records, seconds, velocity, result_.energy);
+      }
+      if (!end) advance(step_, step_);
+    }
+    result_.converged = true;
+    result_.stop_reason = "duration reached";
+  }
+
+ private:
+  /// Equal steps, as long as they may be.
+  void choose_step() {
+    const StableStep stable = stable_step(problem_, solve_.stiffness_damping);
+    double longest = (solve_.time_factor > 0 ? solve_.time_factor : safety) * stable.together;
+    if (solve_.time_step > 0) longest = solve_.time_step;
+    steps_ = std::max(1L, static_cast<long>(std::ceil(solve_.duration / longest * (1 - 1e-12))));
+    step_ = solve_.duration / static_cast<double>(steps_);
+    result_.time_step = step_;
+    result_.stable_step = stable.together;
+  }
+
+  void start(bool moving) {
+    std::vector<double> inverse_mass = mass_;
+    for (double& m : inverse_mass) m = 1 / m;
+    backend_.write(Field::inverse_mass, inverse_mass);
+    const std::vector<double> fixed = backend_.read(Field::fixed);
+    std::vector<double> velocity = backend_.read(Field::velocity);
+    for (std::size_t i = 0; i < velocity.size(); ++i)
+      if (!moving || (static_cast<unsigned>(fixed[i / 3]) >> i % 3) & 1u) velocity[i] = 0;
+    backend_.write(Field::velocity, velocity);
+    find_force_at_rest();
+    backend_.run(Phase::start_motion);
+    if (problem_.contacts.count() > 0) state_ = backend_.read(Field::contact_state);
+    evaluate();
+    const MotionMeasure m = backend_.motion_sums(0);
+    // The potential of the start without its temperature part, the scale that stays when nothing else acts.
+    start_energy_ = m.kinetic + std::abs(m.potential - m.rest_work);
+    // Central difference: half a step brings the velocity to the middle of the first one.
+    advance(step_ / 2, 0);
+  }
+
+  /// Internal force of displacement zero (temperature), into the kept force.
+  void find_force_at_rest() {
+    const std::vector<double> displacement = backend_.read(Field::displacement);
+    backend_.write(Field::displacement, std::vector<double>(displacement.size(), 0.0));
+    backend_.run(Phase::block_force);
+    backend_.run(Phase::gather_force);
+    backend_.run(Phase::keep_force);
+    backend_.write(Field::displacement, displacement);
+  }
+
+  void evaluate() {
+    backend_.run(Phase::block_force);
+    backend_.run(Phase::gather_force);
+    if (cracks_.can_separate()) backend_.run(Phase::advance_springs);
+    backend_.run(Phase::spring_force);
+    Controls controls;
+    controls.stiffness_damping = solve_.stiffness_damping;
+    if (solve_.stiffness_damping > 0) backend_.run(Phase::damping_force, controls);
+  }
+
+  Controls step_controls(double velocity_step) const {
+    Controls c;
+    c.velocity_step = velocity_step;
+    c.local_damping = solve_.local_damping;
+    c.mass_damping = solve_.mass_damping;
+    return c;
+  }
+  void advance(double velocity_step, double step_before) {
+    Controls c = step_controls(velocity_step);
+    c.time_step = step_;
+    c.step_before = step_before;
+    backend_.run(Phase::step_motion, c);
+  }
+
+  /// Velocity at the present displacement: half a step on from the middle of the last one.
+  std::vector<double> present_velocity(bool keep) {
+    const std::vector<double> middle = backend_.read(Field::velocity);
+    backend_.run(Phase::step_motion, step_controls(step_ / 2));
+    std::vector<double> velocity = backend_.read(Field::velocity);
+    if (!keep) backend_.write(Field::velocity, middle);
+    return velocity;
+  }
+
+  /// Energies, runaway, new cracks. False: stopped.
+  bool look(double seconds, bool record) {
+    const MotionMeasure m = backend_.motion_sums(step_);
+    const double could_be = start_energy_ + std::abs(m.supplied) + std::abs(m.rest_work);
+    if (!std::isfinite(m.kinetic) || !std::isfinite(m.potential)) return stop_at_fastest("not finite");
+    if (m.kinetic > runaway_energy * could_be) return stop_at_fastest("runaway energy");
+    if (record || !balanced_ || problem_.contacts.count() == 0) balance(m);
+    if (cracks_.breakable()) note_cracks(seconds);
+    if (links_.watch(result_.steps, seconds / solve_.duration)) {
+      result_.stop_reason = "interrupted";
+      return false;
+    }
+    return true;
+  }
+
+  bool stop_at_fastest(const char* what) {
+    const std::vector<double> v = backend_.read(Field::velocity);
+    std::size_t fastest = 0;
+    const auto speed = [&](std::size_t i) { return std::isfinite(v[i]) ? std::abs(v[i]) : HUGE_VAL; };
+    for (std::size_t i = 0; i < v.size(); ++i)
+      if (speed(i) > speed(fastest)) fastest = i;
+    const Vec3<double> at = problem_.discretisation.block_points[fastest / 3];
+    char text[160];
+    std::snprintf(text, sizeof text, "%s at (%.6g, %.6g, %.6g), step %ld", what, at.x + 0.0, at.y + 0.0, at.z + 0.0,
+                  result_.steps);
+    result_.stop_reason = text;
+    return false;
+  }
+
+  void balance(const MotionMeasure& m) {
+    EnergyBalance& e = result_.energy;
+    e.kinetic = m.kinetic;
+    e.strain = m.potential;
+    e.dissipated = m.damped;
+    e.external_work = m.supplied;
+    if (problem_.contacts.count() > 0) {
+      const std::vector<double> lost = backend_.read(Field::spring_dissipation);
+      const std::vector<ContactPoint> points = contacts_.read();
+      for (int c = 0; c < problem_.contacts.count(); ++c) {
+        // force . u took the whole relative displacement of a spring, its slip is no strain.
+        e.strain -= 0.5 * problem_.contacts.area[c] * dot(points[c].traction.shear, points[c].slip);
+        e.dissipated += lost[c];
+      }
+    }
+    const double sum = e.kinetic + e.strain + e.dissipated - e.external_work;
+    if (!balanced_) {
+      first_sum_ = sum;
+      first_strain_ = e.strain;
+      balanced_ = true;
+    }
+    peak_ = std::max({peak_, e.kinetic, std::abs(e.strain - first_strain_), std::abs(e.external_work)});
+    e.error = sum - first_sum_;
+    if (peak_ > 0) largest_error_ = std::max(largest_error_, std::abs(e.error));
+    e.drift = peak_ > 0 ? largest_error_ / peak_ : 0;
+  }
+
+  void note_cracks(double seconds) {
+    const std::vector<double> state = backend_.read(Field::contact_state);
+    const ContactPoints& contacts = problem_.contacts;
+    CrackEvent event;
+    for (int c = 0; c < contacts.count(); ++c) {
+      if (state[c] == state_[c] || event.contact_points++ > 0) continue;
+      event.place = problem_.discretisation.block_points[problem_.discretisation.blocks.new_node[contacts.node_a[c]]];
+      for (int i = 0; i < 3; ++i) event.place[i] += 0.0;  // meshes write -0
+      event.interface = problem_.model.interfaces[contacts.interface[c]].name;
+      event.mode = state[c] == static_cast<double>(ContactState::cracked_in_tension) ? "tension" : "shear";
+    }
+    if (event.contact_points == 0) return;
+    event.load_factor = 1;
+    event.seconds = seconds;
+    state_ = state;
+    result_.events.push_back(event);
+    links_.cracked(event);
+  }
+
+  const Problem& problem_;
+  Backend& backend_;
+  const Stage& stage_;
+  const DynamicSolve& solve_;
+  const DynamicLinks& links_;
+  StageResult& result_;
+  std::vector<double> mass_;   ///< [block nodes] kg
+  std::vector<double> state_;  ///< of the contact points at the last look
+  ContactReader contacts_;
+  CrackEvents cracks_;
+  double step_ = 0;
+  long steps_ = 0;
+  double start_energy_ = 0, first_sum_ = 0, first_strain_ = 0, peak_ = 0, largest_error_ = 0;
+  bool balanced_ = false;
+};
+
+}  // namespace
+
+StableStep stable_step(const Problem& problem, double stiffness_damping) {
+  problem.backend->run(Phase::stiffness_bound);
+  const std::vector<double> stiffness = problem.backend->read(Field::stiffness), mass = lumped_mass(problem);
+  const ContactPoints& contacts = problem.contacts;
+  const std::vector<int>& renumber = problem.discretisation.blocks.new_node;
+  std::vector<double> springs(mass.size());
+  for (int c = 0; c < contacts.count(); ++c) {
+    if (contacts.node_a[c] == contacts.node_b[c]) continue;  // the tip of a joint: no relative displacement
+    const double k = contacts.area[c] * std::max(contacts.normal_stiffness[c], contacts.shear_stiffness[c]);
+    springs[renumber[contacts.node_a[c]]] += k;
+    springs[renumber[contacts.node_b[c]]] += k;
+  }
+  double blocks = 0, between = 0;  // squares of frequencies over 4, 1/s^2
+  for (std::size_t n = 0; n < mass.size(); ++n) {
+    blocks = std::max(blocks, stiffness[n] / (4 * mass[n]));
+    between = std::max(between, springs[n] / (2 * mass[n]));
+  }
+  StableStep step;
+  step.blocks = 1 / std::sqrt(blocks);
+  step.springs = between > 0 ? 1 / std::sqrt(between) : 0;
+  const double undamped = 1 / std::sqrt(blocks + between), xi = stiffness_damping / undamped;
+  step.together = undamped * (std::sqrt(1 + xi * xi) - xi);
+  return step;
+}
+
+void check_time_step(const Problem& problem, const Stage& stage) {
+  const auto& solve = std::get<DynamicSolve>(stage.solve);
+  if (solve.time_step == 0) return;
+  const double stable = stable_step(problem, solve.stiffness_damping).together;
+  if (solve.time_step <= stable) return;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "time_step %.4g s is above the stable step of this mesh, %.4g s; give less, or leave it out for one "
+                "that fits",
+                solve.time_step, stable);
+  throw DeckError(stage.where, "stage '" + stage.name + "': " + text);
+}
+
+void move_in_time(const Problem& problem, const Stage& stage, bool moving, const DynamicLinks& links,
+                  StageResult& result) {
+  Motion motion(problem, stage, links, result);
+  motion.run(moving);
+  CrackEvents cracks(problem);
+  cracks.fill(result);
+  result.dissipated_energy = result.energy.dissipated;
+}
+
+}  // namespace ashlar
