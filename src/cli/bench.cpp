@@ -91,7 +91,7 @@ Json measure(const Work& work, int elements, int threads) {
   for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] = 1e-6 * std::sin(0.1 * double(i));
   backend.write(Field::velocity, velocity);
   backend.write(Field::inverse_capacity, std::vector<double>(backend.size(Field::inverse_capacity), 1e-3));
-  set_virtual_mass(problem, {});
+  set_virtual_mass(problem, backend, {});
 
   const double start = total_seconds(backend);
   while (total_seconds(backend) - start < 0.1 * seconds_each) step(backend, work.thermal);

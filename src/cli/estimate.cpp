@@ -9,8 +9,9 @@
 namespace ashlar {
 namespace {
 
-// Fitted to runs of two meshes of a dam, whole and split into blocks: right within a factor of two for such bodies.
-constexpr double steps_per_element_and_decade = 7.5;
+// Steps per element across and decade of the ratio, fitted to runs of dams, whole and split into blocks: right within a
+// factor of two or three for such bodies. Static stages search like an elastic body; crack events relax.
+constexpr double search_steps = 1.0, relaxation_steps = 5;
 constexpr double element_steps_per_second = 1.5e6;  // a machine of two cores, contact springs included
 
 /// Bytes of the arrays of backend and discretisation.
@@ -48,13 +49,13 @@ std::string rounded(double steps) {
 
 std::vector<std::string> estimate_effort(const Model& model, const Blocks& blocks, const ContactPoints& contacts) {
   std::vector<std::string> lines{text("memory about %.0f MB", bytes_needed(model.mesh, blocks, contacts) / 1e6)};
-  const double per_decade = steps_per_element_and_decade * elements_across(model.mesh);
+  const double across = elements_across(model.mesh);
   for (const Stage& stage : model.stages) {
     const Relaxation* relaxation = relaxation_of(stage);
     if (!relaxation) continue;
     const auto* fracture = std::get_if<FractureSolve>(&stage.solve);
-    // Increments and crack events start from an equilibrium nearby.
-    const double steps = (fracture ? 2 / 3.0 : 1.0) * per_decade * -std::log10(relaxation->tolerance);
+    const double decades = 1 - std::log10(relaxation->tolerance);
+    const double steps = (fracture ? relaxation_steps : search_steps) * across * decades;
     const double seconds = steps * model.mesh.element_count() / element_steps_per_second;
     std::string line = text("stage %s: about %s steps, %s", stage.name.c_str(), rounded(steps).c_str(),
                             duration_text(seconds).c_str());

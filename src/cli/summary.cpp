@@ -57,7 +57,7 @@ void describe_phases(Page& page, const RunResult& result) {
   std::stable_sort(total.begin(), total.end(),
                    [](const PhaseTime& a, const PhaseTime& b) { return a.seconds > b.seconds; });
   for (const PhaseTime& time : total)
-    if (time.seconds > 0.001 * sum)
+    if (time.seconds > 0.01 * sum)
       page.line("time", text("  %s %s (%.0f %%)", time.phase.c_str(), duration_text(time.seconds).c_str(),
                              100 * time.seconds / sum));
 }
