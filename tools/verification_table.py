@@ -135,7 +135,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("decks", nargs="*")
     parser.add_argument("--all", action="store_true")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     print("| case and run | quantity | reference | source | ours | difference | tolerance | seconds | |")
     print("|---|---|---|---|---|---|---|---|---|")
     passed = True

@@ -2,6 +2,7 @@
 -- Source: closed form away from the edges, s_x = s_y = E alpha T0 / (1 - nu) (z^2 / c^2 - 1/3).
 -- Accept: 3 % with 16 elements over the thickness.
 -- Runs: elements=hex8 | elements=wedge6
+-- (A tetrahedron has one stress, at its own centre: the six of a cell meet this only in their mean.)
 -- By symmetry one eighth is modelled, 4 c x 4 c x c with 8 elements over c; planes of symmetry also hold it in place.
 local args = deck.args { elements = { default = "hex8", doc = "hex8 or wedge6" } }
 local c, warmest, young, poisson, expansion = 1, 20, 20*GPa, 0.2, 1e-5/K
@@ -16,16 +17,17 @@ fix "symmetry" { surface = "symmetry", normal = true }
 temperature_field { value = function(x, y, z) return warmest * (1 - z^2 / c^2) end }
 stage "warm" { solve = static { tolerance = 1e-8 } }
 
+-- 3 % of the stress; of the largest one where the stress changes its sign.
+local scale = 20e9 * 1e-5 * warmest / (1 - poisson)
 for layer = 0, 7 do
   local z = (layer + 0.5) / 8
-  if math.abs(z^2 - 1 / 3) > 0.1 then  -- relative accuracy means nothing where the stress changes its sign
-    local name = string.format("z = %.4f", z)
-    history(name) { at = { 0.25, 0.25, z }, record = { "stress" } }
-    for _, component in ipairs { "xx", "yy" } do
-      expect(name .. " " .. component) {
-        history = name, component = "stress." .. component, relative = 0.03,
-        value = 20e9 * 1e-5 * warmest / (1 - poisson) * (z^2 / c^2 - 1 / 3),
-      }
-    end
+  local exact = scale * (z^2 / c^2 - 1 / 3)
+  local name = string.format("z = %.4f", z)
+  history(name) { at = { 0.25, 0.25, z }, record = { "stress" } }
+  for _, component in ipairs { "xx", "yy" } do
+    expect(name .. " " .. component) {
+      history = name, component = "stress." .. component, value = exact,
+      tolerance = 0.03 * (layer == 4 and scale * 2 / 3 or math.abs(exact)),
+    }
   end
 end
