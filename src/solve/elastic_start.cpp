@@ -12,7 +12,7 @@ constexpr double below_tolerance = 0.1;  // of the stage's tolerance: relaxation
 }  // namespace
 
 bool ElasticStart::applies() const {
-  const std::vector<double> state = problem_.backend->read(Field::contact_state);
+  const std::vector<double> state = backend_.read(Field::contact_state);
   const std::vector<SpringLaw<double>> laws = problem_.setup().interface_laws;
   for (int c = 0; c < problem_.contacts.count(); ++c)
     if (!laws[problem_.contacts.interface[c]].holds(static_cast<ContactState>(state[c]))) return false;
@@ -20,40 +20,39 @@ bool ElasticStart::applies() const {
 }
 
 long ElasticStart::run(double tolerance, double thermal_load, const RelaxationWatch& watch) {
-  Backend& backend = *problem_.backend;
   if (!coarse_) {
-    coarse_.emplace(problem_, backend.read(Field::fixed));
-    backend.write_aggregates(coarse_->aggregates());
+    coarse_.emplace(problem_, backend_.read(Field::fixed));
+    backend_.write_aggregates(coarse_->aggregates());
   }
   const auto precondition = [&] {
-    backend.run(Phase::balance_precondition);
-    backend.add_movements(coarse_->solve(backend.balance_resultants()));
+    backend_.run(Phase::balance_precondition);
+    backend_.add_movements(coarse_->solve(backend_.balance_resultants()));
   };
 
-  evaluate_force(backend);
-  const RelaxationMeasure start = backend.relaxation_sums();
+  evaluate_force(backend_);
+  const RelaxationMeasure start = backend_.relaxation_sums();
   const double scale = std::max({start.load, start.reaction, thermal_load});
   if (!(scale > 0)) return 0;
-  backend.run(Phase::balance_residual);
+  backend_.run(Phase::balance_residual);
   precondition();
   Controls controls;
-  backend.run(Phase::balance_turn, controls);
-  double before = backend.balance_sums().preconditioned;
-  const long limit = 10 * static_cast<long>(std::sqrt(double(backend.size(Field::inverse_mass)))) + 1000;
+  backend_.run(Phase::balance_turn, controls);
+  double before = backend_.balance_sums().preconditioned;
+  const long limit = 10 * static_cast<long>(std::sqrt(double(backend_.size(Field::inverse_mass)))) + 1000;
   long iteration = 0;
   while (iteration < limit && before > 0) {
     ++iteration;
-    backend.run(Phase::balance_product);
-    controls.search_length = before / backend.balance_sums().along;
+    backend_.run(Phase::balance_product);
+    controls.search_length = before / backend_.balance_sums().along;
     if (!std::isfinite(controls.search_length)) break;
-    backend.run(Phase::balance_advance, controls);
+    backend_.run(Phase::balance_advance, controls);
     precondition();
-    const BalanceMeasure now = backend.balance_sums();
+    const BalanceMeasure now = backend_.balance_sums();
     if (now.residual <= below_tolerance * tolerance * scale) break;
     if (watch && watch(iteration, now.residual / scale)) break;
     controls.search_keep = now.preconditioned / before;
     before = now.preconditioned;
-    backend.run(Phase::balance_turn, controls);
+    backend_.run(Phase::balance_turn, controls);
   }
   return iteration;
 }

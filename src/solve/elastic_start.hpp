@@ -12,7 +12,7 @@ namespace ashlar {
 class ElasticStart {
  public:
   /// The supports have been written to the backend.
-  explicit ElasticStart(const Problem& problem) : problem_(problem) {}
+  ElasticStart(const Problem& problem, Backend& backend) : problem_(problem), backend_(backend) {}
 
   /// Whether all contacts are bonded, so that the balance is linear.
   bool applies() const;
@@ -24,6 +24,7 @@ class ElasticStart {
 
  private:
   const Problem& problem_;
+  Backend& backend_;
   std::optional<CoarseSpace> coarse_;
 };
 

@@ -31,8 +31,7 @@ class Components {
 
 }  // namespace
 
-void set_virtual_mass(const Problem& problem, const Relaxation& relaxation) {
-  Backend& backend = *problem.backend;
+void set_virtual_mass(const Problem& problem, Backend& backend, const Relaxation& relaxation) {
   backend.run(Phase::stiffness_bound);
   const std::vector<double> blocks = backend.read(Field::stiffness);
   const int nodes = static_cast<int>(blocks.size());

@@ -18,6 +18,6 @@ namespace ashlar {
 /// node has the mass of D + S.
 ///
 /// To be set again when contact points have cracked.
-void set_virtual_mass(const Problem& problem, const Relaxation& relaxation);
+void set_virtual_mass(const Problem& problem, Backend& backend, const Relaxation& relaxation);
 
 }  // namespace ashlar

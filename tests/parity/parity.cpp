@@ -5,8 +5,10 @@
 
 #include "io/mesh_file.hpp"
 #include "model/loads.hpp"
+#include "solve/elastic_start.hpp"
 #include "solve/problem.hpp"
 #include "solve/stage_conditions.hpp"
+#include "solve/virtual_mass.hpp"
 #ifdef ASHLAR_HAS_CUDA
 #include "cuda_backend.hpp"
 #endif
@@ -69,18 +71,15 @@ void expect_same_bits(const std::vector<double>& a, const std::vector<double>& b
 /// Set-up, every mechanical phase for `steps` steps, stress, strength; heat steps and the warming that they leave.
 struct Outcome {
   std::vector<double> stiffness, displacement, velocity, force, slip, state, utilisation, stress, temperature, warming,
-      sums;
+      sums, searched;
 };
 Outcome march(const Problem& p, Backend& b, int steps) {
   Outcome out;
   const MechanicalConditions conditions = mechanical_conditions(p, 0);
   b.write(Field::load, p.to_machine(conditions.load, 3));
   b.write(Field::fixed, p.to_machine(conditions.fixed, 1));
-  b.run(Phase::stiffness_bound);
+  set_virtual_mass(p, b, {});
   out.stiffness = b.read(Field::stiffness);
-  std::vector<double> inverse_mass = out.stiffness;
-  for (double& m : inverse_mass) m = 1 / (0.5 * m);
-  b.write(Field::inverse_mass, inverse_mass);
 
   std::vector<double> temperature(p.discretisation.heat_points.size());
   for (std::size_t n = 0; n < temperature.size(); ++n) {
@@ -106,7 +105,7 @@ Outcome march(const Problem& p, Backend& b, int steps) {
   out.warming = b.read(Field::warming);
 
   Controls controls;
-  controls.local_damping = 0.3;
+  controls.local_damping = 0.05;
   controls.viscous_damping = 0.1;
   for (int step = 0; step < steps; ++step) {
     b.run(Phase::block_force);
@@ -128,6 +127,10 @@ Outcome march(const Problem& p, Backend& b, int steps) {
   out.state = b.read(Field::contact_state);
   out.utilisation = b.read(Field::utilisation);
   out.stress = b.read(Field::stress);
+
+  ElasticStart search(p, b);
+  if (search.applies()) search.run(1e-12, 0, [](long iteration, double) { return iteration == 20; });
+  out.searched = b.read(Field::displacement);
   return out;
 }
 
@@ -143,6 +146,39 @@ void expect_same(const Outcome& a, const Outcome& b) {
   expect_same_bits(a.temperature, b.temperature, "temperature");
   expect_same_bits(a.warming, b.warming, "warming");
   expect_same_bits(a.sums, b.sums, "relaxation sums");
+  expect_same_bits(a.searched, b.searched, "elastic search");
+}
+
+/// A motion in time with every damping, springs cracking and sliding: all that it leaves, one after the other.
+std::vector<double> move(const Problem& p, Backend& b, int steps) {
+  const MechanicalConditions conditions = mechanical_conditions(p, 0);
+  b.write(Field::load, p.to_machine(conditions.load, 3));
+  b.write(Field::fixed, p.to_machine(conditions.fixed, 1));
+  b.run(Phase::stiffness_bound);
+  std::vector<double> inverse_mass = b.read(Field::stiffness);
+  for (double& m : inverse_mass) m = 1 / (1e-6 * m);  // a stable step of 2e-3 s without springs
+  b.write(Field::inverse_mass, inverse_mass);
+  b.run(Phase::start_motion);
+  Controls controls;
+  controls.velocity_step = controls.time_step = controls.step_before = 1e-4;
+  controls.local_damping = 0.05;
+  controls.mass_damping = 3;
+  controls.stiffness_damping = 1e-5;
+  MotionMeasure m;
+  for (int step = 0; step < steps; ++step) {
+    b.run(Phase::block_force);
+    b.run(Phase::gather_force);
+    b.run(Phase::advance_springs);
+    b.run(Phase::spring_force);
+    b.run(Phase::damping_force, controls);
+    if (step + 1 == steps) m = b.motion_sums(controls.time_step);
+    b.run(Phase::step_motion, controls);
+  }
+  std::vector<double> all{m.kinetic, m.potential, m.rest_work, m.supplied, m.damped};
+  for (const Field f : {Field::displacement, Field::velocity, Field::force, Field::slip, Field::contact_state,
+                        Field::spring_dissipation})
+    for (const double value : b.read(f)) all.push_back(value);
+  return all;
 }
 
 class Parity : public testing::TestWithParam<std::tuple<Precision, Blocks, const char*>> {
@@ -166,6 +202,15 @@ TEST_P(Parity, EveryNumberOfThreadsGivesTheSameBits) {
   }
 }
 
+TEST_P(Parity, EveryNumberOfThreadsMovesByTheSameBits) {
+  const auto precision = std::get<0>(GetParam());
+  const auto one = move(problem_, *make_cpu_backend(problem_.setup(), precision, 1), steps);
+  EXPECT_GT(one[0], 0) << "nothing moved: the comparison would be empty";
+  EXPECT_TRUE(std::isfinite(one[0]));
+  for (const int threads : {2, 3})
+    expect_same_bits(one, move(problem_, *make_cpu_backend(problem_.setup(), precision, threads), steps), "motion");
+}
+
 TEST_P(Parity, AnNvidiaDeviceGivesTheSameBits) {
 #ifdef ASHLAR_HAS_CUDA
   if (cuda_device_count() == 0) GTEST_SKIP() << "no NVIDIA device here";
@@ -173,6 +218,9 @@ TEST_P(Parity, AnNvidiaDeviceGivesTheSameBits) {
   const Outcome device = march(problem_, *backend, steps);
   const Outcome cpu = on_one_thread();
   expect_same(cpu, device);
+  const auto precision = std::get<0>(GetParam());
+  expect_same_bits(move(problem_, *make_cpu_backend(problem_.setup(), precision, 1), steps),
+                   move(problem_, *make_cuda_backend(problem_.setup(), precision, 0), steps), "motion");
   std::printf("  %s: %zu displacements, %zu stresses, %zu temperatures compared bit by bit after %d steps\n",
               backend->name().c_str(), cpu.displacement.size(), cpu.stress.size(), cpu.temperature.size(), steps);
 #else

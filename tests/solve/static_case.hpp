@@ -52,7 +52,7 @@ class StaticCase {
   FractureLinks links() {
     FractureLinks links;
     links.relax = [this](const RelaxationWatch& watch) {
-      set_virtual_mass(problem_, relaxation_);
+      set_virtual_mass(problem_, *problem_.backend, relaxation_);
       return relax(*problem_.backend, relaxation_, thermal_load_norm(*problem_.backend), watch);
     };
     return links;
