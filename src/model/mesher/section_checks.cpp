@@ -201,7 +201,7 @@ std::optional<std::array<int, 4>> choose_corners(const Extrude& extrude) {
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return angles[a] < angles[b]; });
   const bool clear =
-      n == 4 ? angles[order[3]] < 179 : angles[order[3]] < 170 && angles[order[4]] - angles[order[3]] > 10;
+      n == 4 ? angles[order[3]] < 179 : angles[order[3]] < 140 && angles[order[4]] - angles[order[3]] > 20;
   if (!clear) {
     std::string list;
     for (int i = 0; i < n; ++i) {
