@@ -10,8 +10,6 @@ namespace {
 constexpr double most_over_strength = 1.005;   // numerics 5
 constexpr double aimed_over_strength = 1.001;  // where the search for the first crack aims: surely over, hardly over
 constexpr double finest_advance = 1e-9;        // of the load factor: below this the path jumps
-constexpr double balance_to_rounding = 1e-12;  // of the unbalanced force ratio, double precision
-constexpr int most_looks_in_balance = 20;      // in a row
 constexpr double runaway = 0.1;                // of the body's size: farther from the last equilibrium there is none
 constexpr long support_interval = 1000;        // relaxation steps between two looks for bodies that float away
 
@@ -97,11 +95,7 @@ double Fracture::moved() const {
 bool Fracture::relax() {
   std::size_t floating_before = 0;
   bool stopped = false;
-  int looks_in_balance = 0;
-  const auto watch = [&](long step, double ratio) {
-    // A start that balances to rounding leaves no motion to compare the present motion with.
-    looks_in_balance = ratio <= balance_to_rounding ? looks_in_balance + 1 : 0;
-    if (looks_in_balance >= most_looks_in_balance) return true;
+  const auto watch = [&](long step, double) {
     if (!cracks_.can_separate() || step % support_interval != 0) return false;
     if (moved() > runaway * size_) return stopped = !stop("moves without limit");
     // A body that lost its hold may fall back on its neighbours: it floats away if nothing holds it at two looks in a
@@ -118,11 +112,6 @@ bool Fracture::relax() {
   last_ = links_.relax(watch);
   steps_ += last_.steps;
   if (stopped) return false;
-  if (looks_in_balance >= most_looks_in_balance) {
-    last_.converged = true;
-    last_.interrupted = false;
-    last_.stop_reason = "converged";
-  }
   if (!last_.converged) return stop(last_.stop_reason);
   return !cracks_.can_separate() || hold_free_bodies();
 }

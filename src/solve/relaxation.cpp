@@ -11,6 +11,7 @@ constexpr long sum_interval = 10;     // steps between two looks at the sums
 constexpr double most_damping = 1.9;  // bound of the viscous coefficient of one step
 constexpr double local_alpha = 0.8;   // Cundall's usual value
 constexpr double viscous_default = 0.02;
+constexpr double rounding_floor = 1e4;  // roundings in an unbalanced force ratio that cannot fall further
 
 /// Coefficient near critical damping of the lowest mode that still moves (Underwood 1983, in the incremental form that
 /// stays valid after prestress).
@@ -72,7 +73,10 @@ Equilibrium relax(Backend& backend, const Relaxation& relaxation, double thermal
       }
       peak_kinetic = std::max(peak_kinetic, m.kinetic);
       const double energy = std::max({peak_kinetic, std::abs(m.load_work), 0.5 * std::abs(m.force_work)});
-      if (result.ratio <= relaxation.tolerance && m.kinetic <= relaxation.tolerance * relaxation.tolerance * energy) {
+      // A start that balances to rounding leaves no other motion to compare the present one with.
+      const bool still = m.kinetic <= relaxation.tolerance * relaxation.tolerance * energy ||
+                         result.ratio <= rounding_floor * backend.rounding();
+      if (result.ratio <= relaxation.tolerance && still) {
         result.converged = true;
         result.stop_reason = "converged";
         return result;
