@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-#include "io/gmsh_content.hpp"
+#include "io/gmsh_file.hpp"
 
 namespace ashlar {
 
@@ -19,7 +19,7 @@ void sort_few(std::array<int, N>& values) {
 }
 
 /// Every node must belong to a volume element, unless only points and lines of the geometry use it.
-void check_nodes(const Scanner& scanner, const GmshContent& content) {
+void check_nodes(const Scanner& scanner, const MeshContent& content) {
   std::string listed;
   int loose = 0;
   for (std::size_t n = 0; n < content.node_ids.size(); ++n)
@@ -30,11 +30,11 @@ void check_nodes(const Scanner& scanner, const GmshContent& content) {
                       listed + (loose > 10 ? ", ..." : "") + "; remove them or save the elements that use them");
 }
 
-std::string label(const GmshContent::Elements& list, int e) {
-  return std::string(gmsh_types[list.type[e]].name) + " element " + std::to_string(list.ids[e]);
+std::string label(const MeshContent::Elements& list, int e) {
+  return std::string(cell_name(list.cells[e])) + " element " + std::to_string(list.ids[e]);
 }
 
-std::string group_name(const GmshContent& content, int dimension, int number) {
+std::string group_name(const MeshContent& content, int dimension, int number) {
   const auto it = content.names.find({dimension, number});
   if (it != content.names.end()) return it->second;
   return (dimension == 3 ? "region_" : "surface_") + std::to_string(number);
@@ -42,7 +42,7 @@ std::string group_name(const GmshContent& content, int dimension, int number) {
 
 /// The same element given twice: by number, or by its corners (Gmsh 2.2 repeats an element for every group that it is
 /// in).
-void check_repeated(const Scanner& scanner, const GmshContent& content) {
+void check_repeated(const Scanner& scanner, const MeshContent& content) {
   const auto& volumes = content.volumes;
   const int count = static_cast<int>(volumes.ids.size());
   struct Print {
@@ -73,7 +73,7 @@ void check_repeated(const Scanner& scanner, const GmshContent& content) {
     const auto& in_a = content.memberships[volumes.membership[a]].groups;
     const auto& in_b = content.memberships[volumes.membership[b]].groups;
     std::string message = label(volumes, b) + " has the same nodes as element " + std::to_string(volumes.ids[a]) +
-                          " (line " + std::to_string(scanner.line_of(volumes.positions[a])) + ")";
+                          " (" + scanner.place(volumes.positions[a]) + ")";
     if (!in_a.empty() && !in_b.empty() && in_a != in_b)
       message += ": it is in two volume groups, '" + group_name(content, 3, in_a[0]) + "' and '" +
                  group_name(content, 3, in_b[0]) + "'; every element must be in exactly one";
@@ -85,12 +85,12 @@ void check_repeated(const Scanner& scanner, const GmshContent& content) {
   for (int i = 1; i < count; ++i)
     if (volumes.ids[order[i]] == volumes.ids[order[i - 1]])
       scanner.fail(volumes.positions[order[i]], "element " + std::to_string(volumes.ids[order[i]]) +
-                                                    " is given twice, first on line " +
-                                                    std::to_string(scanner.line_of(volumes.positions[order[i - 1]])));
+                                                    " is given twice, first at " +
+                                                    scanner.place(volumes.positions[order[i - 1]]));
 }
 
 /// Region of every volume element: its group, or its geometric volume where the file has no volume groups.
-void add_elements(const Scanner& scanner, const GmshContent& content, const std::vector<int>& node_of, Mesh& mesh) {
+void add_elements(const Scanner& scanner, const MeshContent& content, const std::vector<int>& node_of, Mesh& mesh) {
   const auto& volumes = content.volumes;
   const int count = static_cast<int>(volumes.ids.size());
   bool grouped = false;
@@ -127,7 +127,7 @@ void add_elements(const Scanner& scanner, const GmshContent& content, const std:
   for (int e = 0; e < count; ++e) {
     const int first = volumes.first_node[e], corners = volumes.first_node[e + 1] - first;
     for (int i = 0; i < corners; ++i) nodes[i] = node_of[volumes.nodes[first + i]];
-    mesh.add_element(*gmsh_types[volumes.type[e]].shape, std::span(nodes.data(), corners),
+    mesh.add_element(shape_of(volumes.cells[e]), std::span(nodes.data(), corners),
                      region_of_membership[volumes.membership[e]], volumes.ids[e]);
   }
 }
@@ -142,7 +142,7 @@ FaceKey face_key(std::span<const int> nodes) {
 }
 
 /// Finds the element face of every 2-D element and sorts the facets into their surfaces.
-void add_surfaces(const Scanner& scanner, const GmshContent& content, const std::vector<int>& node_of, Mesh& mesh) {
+void add_surfaces(const Scanner& scanner, const MeshContent& content, const std::vector<int>& node_of, Mesh& mesh) {
   const auto& facets = content.facets;
   const int count = static_cast<int>(facets.ids.size());
   struct Entry {
@@ -205,7 +205,7 @@ void add_surfaces(const Scanner& scanner, const GmshContent& content, const std:
 
 Mesh read_mesh(const std::string& path, const Where& where) {
   Scanner scanner(path, where);
-  const GmshContent content = read_gmsh(scanner);
+  const MeshContent content = read_gmsh(scanner);
   if (content.volumes.ids.empty())
     scanner.fail_file(
         "there are no volume elements; hex8, wedge6 and tet4 are read (is the mesh three-dimensional, and saved with "

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <climits>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -50,7 +52,35 @@ std::string_view Scanner::word() {
   return std::string_view(text_).substr(word_start_, at_ - word_start_);
 }
 
+void Scanner::begin_binary(int integer_bytes) {
+  while (at_ < text_.size() && text_[at_] != '\n' && is_space(text_[at_])) ++at_;
+  word_start_ = at_;
+  has_binary_ = true;
+  if (at_ == text_.size() || text_[at_] != '\n') fail("expected the end of the line before binary numbers");
+  ++at_;
+  integer_bytes_ = integer_bytes;
+}
+
+template <typename Number>
+Number Scanner::raw(const char* expected) {
+  word_start_ = at_;
+  if (text_.size() - at_ < sizeof(Number)) fail_expected(expected, {});
+  Number value;
+  std::memcpy(&value, text_.data() + at_, sizeof value);
+  at_ += sizeof value;
+  return value;
+}
+
+int Scanner::small_integer(const char* expected) {
+  const long value = integer_bytes_ ? raw<std::int32_t>(expected) : integer(expected);
+  if (value > INT_MAX || value < -INT_MAX)
+    fail(std::string("expected ") + expected + ", found " + std::to_string(value) + ": too large");
+  return static_cast<int>(value);
+}
+
 long Scanner::integer(const char* expected) {
+  if (integer_bytes_ == 4) return raw<std::int32_t>(expected);
+  if (integer_bytes_ == 8) return raw<std::int64_t>(expected);
   const auto found = word();
   long value = 0;
   const char* end = found.data() + found.size();
@@ -61,6 +91,11 @@ long Scanner::integer(const char* expected) {
 }
 
 double Scanner::number(const char* expected) {
+  if (integer_bytes_) {
+    const double value = raw<double>(expected);
+    if (!std::isfinite(value)) fail(std::string("expected ") + expected + ", a finite number, found nan or infinity");
+    return value;
+  }
   const auto found = word();
   double value = 0;
   const char* begin = found.data();
@@ -77,8 +112,8 @@ double Scanner::number(const char* expected) {
 long Scanner::count(const char* expected) {
   const long value = integer(expected);
   if (value < 0) fail(std::string("expected ") + expected + ", found " + std::to_string(value));
-  // Every entry takes at least a digit and a separator.
-  const auto left = (text_.size() - at_) / 2;
+  // Every entry takes at least a digit and a separator, or a binary integer.
+  const auto left = (text_.size() - at_) / (integer_bytes_ ? 4 : 2);
   if (static_cast<unsigned long>(value) > left)
     fail(std::string("expected ") + expected + ", found " + std::to_string(value) + ", but the file has only " +
          std::to_string(text_.size() - at_) + " bytes left: the count is wrong or the file is truncated");
@@ -102,8 +137,12 @@ void Scanner::keyword(std::string_view expected) {
 }
 
 bool Scanner::skip_past(std::string_view keyword) {
-  for (auto found = word(); !found.empty(); found = word())
-    if (found == keyword) return true;
+  for (auto found = text_.find(keyword, at_); found != std::string::npos; found = text_.find(keyword, found + 1)) {
+    const auto end = found + keyword.size();
+    if ((found > 0 && !is_space(text_[found - 1])) || (end < text_.size() && !is_space(text_[end]))) continue;
+    at_ = end;
+    return true;
+  }
   return false;
 }
 
@@ -123,14 +162,19 @@ void Scanner::fail_expected(const std::string& expected, std::string_view found)
 }
 
 void Scanner::fail(std::size_t position, const std::string& message) const {
-  throw DeckError(where_, path_ + ":" + std::to_string(line_of(position)) + ": " + message);
+  throw DeckError(where_, path_ + (has_binary_ ? ":byte " : ":") + number_of_place(position) + ": " + message);
 }
 
 void Scanner::fail_file(const std::string& message) const { throw DeckError(where_, path_ + ": " + message); }
 
-long Scanner::line_of(std::size_t position) const {
-  const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(position, text_.size()));
-  return 1 + std::count(text_.begin(), end, '\n');
+std::string Scanner::place(std::size_t position) const {
+  return (has_binary_ ? "byte " : "line ") + number_of_place(position);
+}
+
+std::string Scanner::number_of_place(std::size_t position) const {
+  const auto end = std::min(position, text_.size());
+  if (has_binary_) return std::to_string(end);
+  return std::to_string(1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
 }
 
 }  // namespace ashlar

@@ -136,7 +136,8 @@ TEST_P(Column, regions_fill_their_cubes_and_surfaces_have_their_areas) {
 }
 INSTANTIATE_TEST_SUITE_P(shapes, Column,
                          testing::Values("column_hex_41.msh", "column_wedge_41.msh", "column_tet_41.msh",
-                                         "column_hex_22.msh"));
+                                         "column_hex_22.msh", "column_hex_22_binary.msh", "column_hex_41_binary.msh",
+                                         "column_wedge_41_binary.msh", "column_tet_41_binary.msh"));
 
 TEST(MeshFile, facets_may_belong_to_several_surfaces_and_unnamed_groups_get_their_number) {
   const Mesh mesh = read_mesh(data_file("column_hex_41.msh"), {});
@@ -158,6 +159,57 @@ TEST(MeshFile, both_versions_give_the_same_body) {
   EXPECT_EQ(a.element_count(), b.element_count());
   EXPECT_EQ(a.surfaces.size(), b.surfaces.size());
   for (const auto& s : a.surfaces) EXPECT_EQ(s.facets.size(), b.find_surface(s.name)->facets.size());
+}
+
+/// Same nodes, elements, regions and surfaces, to the last bit and in the same order.
+void expect_same(const Mesh& a, const Mesh& b) {
+  ASSERT_EQ(a.node_count(), b.node_count());
+  for (int n = 0; n < a.node_count(); ++n) {
+    EXPECT_EQ(a.points[n].x, b.points[n].x);
+    EXPECT_EQ(a.points[n].y, b.points[n].y);
+    EXPECT_EQ(a.points[n].z, b.points[n].z);
+  }
+  EXPECT_EQ(a.shapes, b.shapes);
+  EXPECT_EQ(a.corners, b.corners);
+  EXPECT_EQ(a.regions, b.regions);
+  EXPECT_EQ(a.region_names, b.region_names);
+  ASSERT_EQ(a.surfaces.size(), b.surfaces.size());
+  for (std::size_t s = 0; s < a.surfaces.size(); ++s) {
+    EXPECT_EQ(a.surfaces[s].name, b.surfaces[s].name);
+    EXPECT_EQ(a.surfaces[s].facets, b.surfaces[s].facets);
+  }
+}
+
+TEST(MeshFile, binary_files_give_the_same_mesh) {
+  for (const std::string name : {"column_hex_41", "column_wedge_41", "column_tet_41"}) {
+    SCOPED_TRACE(name);
+    expect_same(read_mesh(data_file(name + ".msh"), {}), read_mesh(data_file(name + "_binary.msh"), {}));
+  }
+}
+
+TEST(MeshFile, every_truncation_of_a_binary_file_gives_a_complaint) {
+  for (const char* name : {"column_hex_22_binary.msh", "column_wedge_41_binary.msh"}) {
+    const std::string column = text_of(data_file(name));
+    for (std::size_t length = 0; length + 2 < column.size(); length += 11)
+      EXPECT_NE(complaint(column.substr(0, length)), "no complaint") << name << " " << length;
+    for (std::size_t i = 0; i < column.size(); i += 17)
+      for (const char c : {'\x00', '\x7f', '\xff', '\x80', '$'}) {
+        std::string damaged = column;
+        damaged[i] = c;
+        complaint(damaged);  // anything but DeckError ends the test program
+      }
+  }
+}
+
+TEST(MeshFile, complaints_about_binary_files_name_the_byte) {
+  const std::string column = text_of(data_file("column_hex_41_binary.msh"));
+  const auto nodes = column.find("$Nodes\n") + 7;
+  std::string damaged = column;
+  damaged.replace(nodes + 8, 8, std::string("\0\0\0\0\xff\0\0\0", 8));  // the number of nodes
+  EXPECT_EQ(complaint(damaged), "dam.lua:3: mesh:byte " + std::to_string(nodes + 8) +
+                                    ": expected the number of nodes, found " + std::to_string(255L << 32) +
+                                    ", but the file has only " + std::to_string(column.size() - nodes - 16) +
+                                    " bytes left: the count is wrong or the file is truncated");
 }
 
 TEST(MeshFile, public_dam_has_its_volumes_and_surfaces) {
@@ -217,8 +269,10 @@ TEST(MeshFile, complaints_name_the_line_and_what_was_expected) {
             "it into one");
   EXPECT_EQ(complaint(replaced(cubes, "50 60 70 80\n3", "50 60 70 110\n3")),
             "dam.lua:3: mesh:28: quad4 element 2 is not a face of any volume element");
-  EXPECT_EQ(complaint(replaced(cubes, "2.2 0 8", "2.2 1 8")),
-            "dam.lua:3: mesh:2: the file is binary; save it as ASCII ('Mesh.Binary = 0' or without 'gmsh -bin')");
+  EXPECT_EQ(
+      complaint(replaced(cubes, "2.2 0 8", "2.2 1 8")),
+      "dam.lua:3: mesh:byte 20: the binary numbers have another order of bytes than this machine; save the mesh as "
+      "ASCII ('Mesh.Binary = 0')");
   EXPECT_EQ(
       complaint(replaced(cubes, "2.2 0 8", "4 0 8")),
       "dam.lua:3: mesh:2: mesh file version '4' is not read; save it as version 4.1 or 2.2 ('gmsh -format msh41')");
