@@ -52,7 +52,7 @@ std::string expected(const KeyRule& rule) {
     case KeyType::renames: return "a table { old = \"new\" }";
     case KeyType::interval: return "{ lowest, highest }";
     case KeyType::zero: return "0 (a given movement is what 'displacement' is for)";
-    case KeyType::solve: return "static {...}, thermal {...} or fracture {...}";
+    case KeyType::solve: return "static {...}, thermal {...}, fracture {...} or dynamic {...}";
     case KeyType::conditions: return "a list of conditions such as convection {...}";
     case KeyType::function: return "a function(result)";
   }
@@ -271,7 +271,7 @@ class FieldReader {
       if (size < 3)
         complain(place, "'" + place + "' is " + describe(L_, outline) + "; expected an outline of at least three " +
                             "corners { x, z }; holes = { { {x, z}, {x, z}, {x, z} } } is one hole");
-      for (int k = 1; k <= size; ++k) {
+      for (int k = 1; size >= 3 && k <= size; ++k) {
         lua_rawgeti(L_, outline, k);
         std::vector<Quantity> corner;
         if (read_list(rule, lua_gettop(L_), place + "." + std::to_string(k), 2, false, corner))

@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <numbers>
+#include <random>
 #include <set>
 
 #include "model/mesh_tools.hpp"
@@ -224,17 +225,64 @@ TEST(mesher_free, two_runs_give_the_same_bytes_wherever_memory_lies) {
 }
 
 TEST(mesher_free, boundary_edges_stay_whole_however_fine_the_inside) {
-  const Outline square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const auto mesh = triangulate({square}, [](const auto&) { return 0.05; });
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(mesh.points[i], square[i]);
+  Outline square;
+  for (int side = 0; side < 4; ++side)
+    for (int i = 0; i < 5; ++i)
+      square.push_back(side == 0   ? std::array{0.2 * i, 0.0}
+                       : side == 1 ? std::array{1.0, 0.2 * i}
+                       : side == 2 ? std::array{1 - 0.2 * i, 1.0}
+                                   : std::array{0.0, 1 - 0.2 * i});
+  const auto mesh = triangulate({square}, [](const auto&) { return 0.02; });
+  ASSERT_GT(mesh.points.size(), square.size() + 100);
+  for (std::size_t i = 0; i < square.size(); ++i) EXPECT_EQ(mesh.points[i], square[i]);
   double sum = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     EXPECT_GT(turn(mesh.points[a], mesh.points[b], mesh.points[c]), 0);
     sum += 0.5 * turn(mesh.points[a], mesh.points[b], mesh.points[c]);
   }
-  EXPECT_NEAR(sum, 1, 1e-14);
-  for (std::size_t i = 4; i < mesh.points.size(); ++i)
+  EXPECT_NEAR(sum, 1, 1e-13);
+  for (std::size_t i = square.size(); i < mesh.points.size(); ++i)
     for (int a = 0; a < 2; ++a) EXPECT_TRUE(mesh.points[i][a] > 0 && mesh.points[i][a] < 1);
+}
+
+/// A ragged star around a centre, by chance of the seed.
+Outline star(std::mt19937& random, double x, double z, double radius, int points) {
+  const auto chance = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
+  Outline outline;
+  for (int i = 0; i < points; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + chance(-0.3, 0.3)) / points, r = radius * chance(0.4, 1);
+    outline.push_back({x + r * std::cos(angle), z + r * std::sin(angle)});
+  }
+  return outline;
+}
+
+TEST_P(FreeShapes, any_outline_with_holes_inside_a_frame_on_rows_is_meshed_exactly) {
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    Model model;
+    model.extrudes = {
+        extrude("body", star(random, 0, 0, 10, 5 + static_cast<int>(seed)), 1, 1.5),
+        extrude("frame", {{-12, -12}, {12, -12}, {12, 12}, {-12, 12}}, 1, 3),
+        extrude("rows", {{-20, -15}, {20, -15}, {20, -12}, {-20, -12}}, 1, 2),
+    };
+    model.extrudes[0].structured = false;
+    model.extrudes[0].holes = {star(random, -1.2, 0, 1, 6), star(random, 1.2, 0, 1, 4)};
+    model.extrudes[0].hole_size = 0.5;
+    model.extrudes[1].holes = {model.extrudes[0].section};
+    double section = 24 * 24 + 40 * 3, skin = 3 * 24 + (40 - 24) + 40 + 2 * 3;
+    for (const auto& hole : model.extrudes[0].holes) {
+      section -= loop_area(hole);
+      skin += perimeter(hole);
+    }
+    for (auto& e : model.extrudes) {
+      e.shape = GetParam();
+      e.layers = 1;
+    }
+    build_mesh(model);
+    EXPECT_NEAR(all_volume(model.mesh), section, 1e-9);
+    EXPECT_NEAR(area(model.mesh, find_faces(model.mesh).outer), 2 * section + skin, 1e-8);
+  }
 }
 
 // ---------------------------------------------------------------- wrong input

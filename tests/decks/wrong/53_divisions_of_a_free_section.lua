@@ -1,0 +1,6 @@
+model "dam" {}
+extrude "dam" {
+  section = { {0,0}, {48*m,0}, {8*m,50*m}, {8*m,60*m}, {0,60*m} }, length = 12*m, size = 4*m,
+  holes = { { {4*m,4*m}, {6*m,4*m}, {5*m,6*m} } },
+  divisions = { [1] = 12 },
+}
