@@ -23,7 +23,10 @@ inline constexpr Dimension time{0, 0, 1, 0};
 inline constexpr Dimension temperature{0, 0, 0, 1};
 inline constexpr Dimension pressure{-1, 1, -2, 0};              // Pa
 inline constexpr Dimension density{-3, 1, 0, 0};                // kg/m^3
+inline constexpr Dimension velocity{1, 0, -1, 0};               // m/s
 inline constexpr Dimension acceleration{1, 0, -2, 0};           // m/s^2
+inline constexpr Dimension frequency{0, 0, -1, 0};              // 1/s
+inline constexpr Dimension energy{2, 1, -2, 0};                 // J
 inline constexpr Dimension force{1, 1, -2, 0};                  // N
 inline constexpr Dimension stiffness_per_area{-2, 1, -2, 0};    // Pa/m
 inline constexpr Dimension fracture_energy{0, 1, -2, 0};        // J/m^2

@@ -52,11 +52,17 @@ void ProgressLines::progress(const Progress& p) {
 
 void ProgressLines::crack(const std::string& stage, const CrackEvent& event) {
   if (++events_ > 1) return;  // the log has them all, the summary counts them
-  print(text("stage %s: first crack at load factor %.4f, %s, in %s, at %s", stage.c_str(), event.load_factor,
-             event.interface.c_str(), event.mode.c_str(), place_text(event.place).c_str()));
+  const std::string when =
+      event.seconds > 0 ? text("after %.4g s", event.seconds) : text("at load factor %.4f", event.load_factor);
+  print(text("stage %s: first crack %s, %s, in %s, at %s", stage.c_str(), when.c_str(), event.interface.c_str(),
+             event.mode.c_str(), place_text(event.place).c_str()));
 }
 
 void ProgressLines::stage_ends(const StageResult& result) {
+  if (result.kind == "dynamic")
+    return print(text("stage %s: %s after %s, energy drift %.1e, %s", result.name.c_str(), result.stop_reason.c_str(),
+                      counted(result.steps, "step").c_str(), result.energy.drift,
+                      duration_text(result.wall_seconds).c_str()));
   print(text("stage %s: %s after %s, ratio %.1e, %s", result.name.c_str(), result.stop_reason.c_str(),
              counted(result.steps, "step").c_str(), result.ratio, duration_text(result.wall_seconds).c_str()));
 }

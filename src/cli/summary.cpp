@@ -12,6 +12,16 @@ namespace ashlar {
 namespace {
 
 void describe_stage(Page& page, int number, const StageResult& stage) {
+  if (stage.kind == "dynamic") {
+    page.line("stage", text("%d %s (%s): %s, %s of %.3g s, %s", number, stage.name.c_str(), stage.kind.c_str(),
+                            stage.stop_reason.c_str(), counted(stage.steps, "step").c_str(), stage.time_step,
+                            duration_text(stage.wall_seconds).c_str()));
+    const EnergyBalance& e = stage.energy;
+    page.line("stage", text("  energy: kinetic %.4g + strain %.4g + dissipated %.4g - work %.4g = %.4g J, kept to %.1e",
+                            e.kinetic, e.strain, e.dissipated, e.external_work,
+                            e.kinetic + e.strain + e.dissipated - e.external_work, e.drift));
+    return;
+  }
   page.line("stage", text("%d %s (%s): %s, %s, ratio %.1e, %s", number, stage.name.c_str(), stage.kind.c_str(),
                           stage.stop_reason.c_str(), counted(stage.steps, "step").c_str(), stage.ratio,
                           duration_text(stage.wall_seconds).c_str()));
@@ -19,7 +29,9 @@ void describe_stage(Page& page, int number, const StageResult& stage) {
 }
 
 std::string event_text(const CrackEvent& event) {
-  return text("load factor %.4f, %s, in %s, at %s", event.load_factor, event.interface.c_str(), event.mode.c_str(),
+  const std::string when =
+      event.seconds > 0 ? text("after %.4g s", event.seconds) : text("load factor %.4f", event.load_factor);
+  return text("%s, %s, in %s, at %s", when.c_str(), event.interface.c_str(), event.mode.c_str(),
               place_text(event.place).c_str());
 }
 

@@ -79,11 +79,13 @@ Json described(const Model& model, const Blocks& blocks, const ContactPoints& co
 }
 
 Json described(const CrackEvent& event) {
-  return {{"load_factor", event.load_factor},
-          {"place", {event.place.x, event.place.y, event.place.z}},
-          {"contact_points", event.contact_points},
-          {"interface", event.interface},
-          {"mode", event.mode}};
+  Json json{{"load_factor", event.load_factor},
+            {"place", {event.place.x, event.place.y, event.place.z}},
+            {"contact_points", event.contact_points},
+            {"interface", event.interface},
+            {"mode", event.mode}};
+  if (event.seconds > 0) json["seconds"] = event.seconds;
+  return json;
 }
 
 Json described(const StageResult& stage) {
@@ -99,6 +101,15 @@ Json described(const StageResult& stage) {
   json["cracked_area_by_direction"] = described(stage.cracked_area_by_direction);
   json["free_blocks"] = stage.free_blocks;
   json["dissipated_energy"] = stage.dissipated_energy;
+  if (stage.time_step > 0) {
+    json["time_step"] = stage.time_step;
+    json["stable_step"] = stage.stable_step;
+    json["energy"] = {{"kinetic", stage.energy.kinetic},
+                      {"strain", stage.energy.strain},
+                      {"dissipated", stage.energy.dissipated},
+                      {"external_work", stage.energy.external_work},
+                      {"drift", stage.energy.drift}};
+  }
   json["wall_seconds"] = stage.wall_seconds;
   json["phase_seconds"] = Json::object();
   for (const auto& phase : stage.phases) json["phase_seconds"][phase.phase] = phase.seconds;

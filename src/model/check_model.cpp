@@ -162,10 +162,15 @@ class ModelCheck {
   }
 
   void histories_and_pictures() {
+    const bool moves = std::any_of(model_.stages.begin(), model_.stages.end(),
+                                   [](const Stage& s) { return std::holds_alternative<DynamicSolve>(s.solve); });
     for (const auto& h : model_.histories) {
       const std::string who = title("history", h.name);
+      for (const char* of_motion : {"velocity", "energy"})
+        if (!moves && std::find(h.record.begin(), h.record.end(), of_motion) != h.record.end())
+          complaints_.add(h.where, who + ": '" + of_motion + "' needs a stage with solve = dynamic {...}");
       if (!h.at) {
-        surface(h.surface, h.where, who);
+        if (!h.surface.empty()) surface(h.surface, h.where, who);
       } else if (!locate(model_.mesh, *h.at)) {
         const auto& near = model_.mesh.points[nearest_node(model_.mesh, *h.at)];
         complaints_.add(h.where, who + ": " + place_text(*h.at) + " is outside the body; the nearest node is at " +
@@ -194,7 +199,7 @@ class ModelCheck {
     for (const auto& c : model_.conditions)
       if (!felt.contains(&c))
         complaints_.add(c.where, title(c.noun, c.name) + " acts in no stage that could feel it: it needs " +
-                                     (thermal_boundary(c) ? "a thermal stage" : "a static or fracture stage") +
+                                     (thermal_boundary(c) ? "a thermal stage" : "a static, fracture or dynamic stage") +
                                      "; add one or leave the condition out");
   }
   static bool thermal_boundary(const Condition& c) {
@@ -235,6 +240,7 @@ class ModelCheck {
     if (!complaints_.empty()) return;
     for (std::size_t s = 0; s < model_.stages.size(); ++s) {
       const Stage& stage = model_.stages[s];
+      if (std::holds_alternative<DynamicSolve>(stage.solve)) continue;  // free bodies fly
       if (is_mechanical(stage)) {
         const auto loose = loose_bodies(model_, blocks, static_cast<int>(s));
         for (std::size_t i = 0; i < loose.size() && i < 5; ++i)

@@ -74,6 +74,9 @@ int stage(lua_State* L) {
   number("cracked_area", s.cracked_area);
   number("dissipated_energy", s.dissipated_energy);
   number("free_blocks", static_cast<double>(s.free_blocks.size()));
+  number("time_step", s.time_step);
+  number("stable_step", s.stable_step);
+  number("energy_drift", s.energy.drift);
   set_strict(L, "value of a stage");
   return 1;
 }
@@ -90,6 +93,22 @@ int history_value(lua_State* L) {
   return 1;
 }
 
+/// result.history(name).values(column, stage)
+int history_values(lua_State* L) {
+  const HistoryTable& table = named(result_of(L).histories, text_at(L, lua_upvalueindex(1)), "history");
+  try {
+    const std::vector<double> values = table.values(luaL_checkstring(L, 1), luaL_optstring(L, 2, ""));
+    lua_createtable(L, static_cast<int>(values.size()), 0);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      lua_pushnumber(L, values[i]);
+      lua_rawseti(L, -2, static_cast<int>(i) + 1);
+    }
+  } catch (const std::out_of_range& error) {
+    throw ScriptError(error.what());
+  }
+  return 1;
+}
+
 /// result.history(name)
 int history(lua_State* L) {
   const HistoryTable& table = named(result_of(L).histories, luaL_checkstring(L, 1), "history");
@@ -97,6 +116,9 @@ int history(lua_State* L) {
   push(L, table.name);
   lua_pushcclosure(L, guarded<history_value>, 1);
   lua_setfield(L, -2, "at");
+  push(L, table.name);
+  lua_pushcclosure(L, guarded<history_values>, 1);
+  lua_setfield(L, -2, "values");
   lua_newtable(L);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     push(L, table.columns[i]);

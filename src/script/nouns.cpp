@@ -184,7 +184,12 @@ Relaxation relaxation(const Fields& f) {
 
 int add_solve(const Call& c) {
   const Fields& f = c.fields;
-  if (c.noun.name == "thermal") {
+  if (c.noun.name == "dynamic") {
+    if (f.has("time_step") && f.has("time_factor")) c.complain("time_factor", "give either time_step or time_factor");
+    c.solves.emplace_back(DynamicSolve{f.number("duration"), f.number("local_damping"), f.number("mass_damping"),
+                                       f.number("stiffness_damping"), f.maybe("time_step").value_or(0),
+                                       f.maybe("time_factor").value_or(0), f.maybe("record_every").value_or(0)});
+  } else if (c.noun.name == "thermal") {
     if (f.flag("steady") == f.has("duration")) c.complain("", "give either steady = true or a duration");
     c.solves.emplace_back(ThermalSolve{f.flag("steady"), f.maybe("duration").value_or(0), f.number("tolerance")});
   } else {
@@ -217,12 +222,13 @@ int add_stage(const Call& c) {
 
 int add_history(const Call& c) {
   const Fields& f = c.fields;
-  if (!c.one_of({"at", "surface"})) return 0;
   History history{c.name, f.where, {}, f.text("surface"), f.texts("record")};
+  const bool placed = f.has("at") || f.has("surface");
+  if ((placed || history.record != std::vector<std::string>{"energy"}) && !c.one_of({"at", "surface"})) return 0;
   if (f.has("at")) history.at = f.vector("at");
   std::vector<std::string> valid;
   for (const auto& r : recorded())
-    if (history.at ? r.at_point : r.on_surface) valid.push_back(r.name);
+    if (history.at ? r.at_point : placed ? r.on_surface : r.of_model) valid.push_back(r.name);
   for (const auto& name : history.record)
     if (std::find(valid.begin(), valid.end(), name) == valid.end())
       c.complain("record", "'" + name + "' is not recorded " + (history.at ? "at a point" : "over a surface") +

@@ -85,6 +85,7 @@ std::vector<std::string> pictured_names() {
 std::vector<std::string> history_names() {
   auto names = recorded_names(&Recorded::at_point);
   for (const auto& name : recorded_names(&Recorded::on_surface)) names.push_back(name);
+  for (const auto& name : recorded_names(&Recorded::of_model)) names.push_back(name);
   return names;
 }
 
@@ -95,6 +96,7 @@ const std::vector<Recorded>& recorded() {
   constexpr Dimension moment{2, 1, -2, 0};
   static const std::vector<Recorded> all = {
       {"displacement", dimension::length, vector, true, false, true},
+      {"velocity", dimension::velocity, vector, true, false, false},
       {"temperature", dimension::temperature, {}, true, false, true},
       {"stress", dimension::pressure, tensor, true, false, true},
       {"principal_stress", dimension::pressure, {}, false, false, true},
@@ -105,6 +107,8 @@ const std::vector<Recorded>& recorded() {
       {"reaction", dimension::force, vector, false, true, false},
       {"load", dimension::force, vector, false, true, false},
       {"load_moment", moment, vector, false, true, false},
+      {"energy", dimension::energy, {"kinetic", "strain", "dissipated", "external_work", "error"}, false, false, false,
+       true},
   };
   return all;
 }
@@ -332,9 +336,34 @@ const std::vector<NounRule>& nouns() {
                 key("max_events", Type::integer, "gives up after so many crack events").otherwise(100000)} +
            relaxation_keys(),
        .example = R"(stage "fracture" { solve = fracture { from = "summer", to = "winter", increments = 10 } })"},
+      {.name = "dynamic",
+       .kind = NounKind::solve,
+       .naming = Naming::none,
+       .doc = "Motion in time with the real mass, under the loads that act: from rest, or on from a dynamic stage just "
+              "before. Explicit: the step is short, the energy balance is kept and reported.",
+       .keys = {number("duration", dimension::time, range::positive, "how long").need(),
+                number("mass_damping", dimension::frequency, range::not_negative,
+                       "Rayleigh's factor of the mass: 4 pi f xi damps frequency f by xi of critical, lower ones more")
+                    .otherwise(0),
+                number("stiffness_damping", dimension::time, range::not_negative,
+                       "Rayleigh's factor of the blocks' stiffness: xi / (pi f) damps frequency f by xi of critical, "
+                       "higher ones more; shortens the step")
+                    .otherwise(0),
+                number("local_damping", dimension::none, Range{0, 0.95},
+                       "share of the unbalanced force that opposes motion; 0.1 is about 3 % of critical at every "
+                       "frequency")
+                    .otherwise(0),
+                number("record_every", dimension::time, range::positive,
+                       "between rows of histories; a hundredth of the duration unless given"),
+                number("time_step", dimension::time, range::positive,
+                       "longest step; refused above the stable one; chosen unless given"),
+                number("time_factor", dimension::none, Range{0, 10, true},
+                       "share of the stable step to take, 0.9 unless given; above 1 to see a motion run away")},
+       .example =
+           R"(stage "release" { solve = dynamic { duration = 2*s, mass_damping = 0.5/s, record_every = 0.01*s } })"},
       {.name = "stage",
        .doc = "One step of the model's life. Stages continue from each other, in the deck's order.",
-       .keys = {key("solve", Type::solve, "static {...}, thermal {...} or fracture {...}").need(),
+       .keys = {key("solve", Type::solve, "static {...}, thermal {...}, fracture {...} or dynamic {...}").need(),
                 key("apply", Type::conditions,
                     "conditions that act from this stage on: a list of calls such as convection {...}. One replaces an "
                     "earlier one of its noun on the same surface"),
@@ -344,11 +373,12 @@ const std::vector<NounRule>& nouns() {
        .example =
            R"(stage "summer" { apply = { fixed_temperature { surface = "top", value = 20*degC } }, solve = thermal { steady = true } })"},
       {.name = "history",
-       .doc = "A curve in history.csv: fields at a point, or sums over a surface.",
+       .doc = "A curve in history.csv: fields at a point, sums over a surface, or energies of the whole model.",
        .keys = {key("at", Type::vector, "the point; give this or `surface`").in(dimension::length),
                 key("surface", Type::text, "the surface; give this or `at`"),
                 key("record", Type::choices,
-                    "at a point: displacement, temperature, stress; over a surface: reaction, load, load_moment")
+                    "at a point: displacement, velocity, temperature, stress; over a surface: reaction, load, "
+                    "load_moment; with neither: energy, of dynamic stages")
                     .of(history_names())
                     .need()},
        .example = R"(history "crest" { at = { 0, 0, 60*m }, record = { "displacement", "temperature" } })"},
@@ -377,7 +407,7 @@ const std::vector<NounRule>& nouns() {
               "stage(name) with .converged .steps .ratio .load_factor .stop_reason .cracks (number of crack events) "
               ".first_crack (the load factor of the first) .first_crack_place (its .x .y .z) .cracked_area "
               ".dissipated_energy .free_blocks, "
-              "and history(name) with .at(column, stage) and .columns.",
+              "and history(name) with .at(column, stage), .values(column, stage) and .columns.",
        .keys = {key("history", Type::text, "name of a history"),
                 key("component", Type::text, "its column, such as \"displacement.z\""),
                 key("stage", Type::text, "at the end of this stage; the last row unless given"),

@@ -26,7 +26,7 @@ enum class KeyType {
   renames,     ///< { old = "new" }
   interval,    ///< { low, high }, numbers or quantities
   zero,        ///< 0 or true: held
-  solve,       ///< static {...}, thermal {...} or fracture {...}
+  solve,       ///< static {...}, thermal {...}, fracture {...} or dynamic {...}
   conditions,  ///< list of conditions, lists inside lists allowed
   function,
 };
@@ -101,7 +101,7 @@ struct Recorded {
   std::string name;
   Dimension dimension;
   std::vector<std::string> components;  ///< of a history; empty: one number
-  bool at_point, on_surface, in_output;
+  bool at_point, on_surface, in_output, of_model = false;
 };
 const std::vector<Recorded>& recorded();
 /// Columns that a history will have.

@@ -143,8 +143,9 @@ class Motion {
     const MotionMeasure m = backend_.motion_sums(step_);
     const double could_be = start_energy_ + std::abs(m.supplied) + std::abs(m.rest_work);
     if (!std::isfinite(m.kinetic) || !std::isfinite(m.potential)) return stop_at_fastest("not finite");
-    if (m.kinetic > runaway_energy * could_be) return stop_at_fastest("runaway energy");
-    if (record || !balanced_ || problem_.contacts.count() == 0) balance(m);
+    const bool runaway = m.kinetic > runaway_energy * could_be;
+    if (record || runaway || !balanced_ || problem_.contacts.count() == 0) balance(m);
+    if (runaway) return stop_at_fastest("runaway energy");
     if (cracks_.breakable()) note_cracks(seconds);
     if (links_.watch(result_.steps, seconds / solve_.duration)) {
       result_.stop_reason = "interrupted";

@@ -203,7 +203,7 @@ void Recorder::snapshot(const Moment& moment) {
   observer_.output(s);
 }
 
-double HistoryTable::at(const std::string& column, const std::string& stage) const {
+std::size_t HistoryTable::index_of(const std::string& column) const {
   std::size_t index = 0;
   while (index < columns.size() && columns[index] != column) ++index;
   if (index == columns.size()) {
@@ -211,9 +211,23 @@ double HistoryTable::at(const std::string& column, const std::string& stage) con
     for (const auto& c : columns) valid += (valid.empty() ? "" : ", ") + c;
     throw std::out_of_range("history '" + name + "' has no column '" + column + "'; it has " + valid);
   }
+  return index;
+}
+
+double HistoryTable::at(const std::string& column, const std::string& stage) const {
+  const std::size_t index = index_of(column);
   for (auto row = rows.rbegin(); row != rows.rend(); ++row)
     if (stage.empty() || row->stage == stage) return row->values[index];
   throw std::out_of_range("history '" + name + "' has no row of stage '" + stage + "'");
+}
+
+std::vector<double> HistoryTable::values(const std::string& column, const std::string& stage) const {
+  const std::size_t index = index_of(column);
+  std::vector<double> values;
+  for (const Row& row : rows)
+    if (stage.empty() || row.stage == stage) values.push_back(row.values[index]);
+  if (values.empty()) throw std::out_of_range("history '" + name + "' has no row of stage '" + stage + "'");
+  return values;
 }
 
 }  // namespace ashlar

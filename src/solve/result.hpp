@@ -66,6 +66,11 @@ struct HistoryTable {
   std::vector<Row> rows;
   /// Value of `column` at the end of `stage` ("" : last row). Throws std::out_of_range with the valid names.
   double at(const std::string& column, const std::string& stage) const;
+  /// Values of `column` in all rows of `stage` ("" : all rows), in order. Throws as at().
+  std::vector<double> values(const std::string& column, const std::string& stage) const;
+
+ private:
+  std::size_t index_of(const std::string& column) const;
 };
 
 struct RunResult {
