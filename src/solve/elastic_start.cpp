@@ -19,7 +19,7 @@ bool ElasticStart::applies() const {
   return true;
 }
 
-long ElasticStart::run(double tolerance, double thermal_load, const RelaxationWatch& watch) {
+long ElasticStart::run(const Relaxation& relaxation, double thermal_load, const RelaxationWatch& watch) {
   if (!coarse_) {
     coarse_.emplace(problem_, backend_.read(Field::fixed));
     backend_.write_aggregates(coarse_->aggregates());
@@ -38,7 +38,8 @@ long ElasticStart::run(double tolerance, double thermal_load, const RelaxationWa
   Controls controls;
   backend_.run(Phase::balance_turn, controls);
   double before = backend_.balance_sums().preconditioned;
-  const long limit = 10 * static_cast<long>(std::sqrt(double(backend_.size(Field::inverse_mass)))) + 1000;
+  const long usual = 10 * static_cast<long>(std::sqrt(double(backend_.size(Field::inverse_mass)))) + 1000;
+  const long limit = relaxation.max_steps > 0 ? std::min(relaxation.max_steps, usual) : usual;
   long iteration = 0;
   while (iteration < limit && before > 0) {
     ++iteration;
@@ -48,7 +49,7 @@ long ElasticStart::run(double tolerance, double thermal_load, const RelaxationWa
     backend_.run(Phase::balance_advance, controls);
     precondition();
     const BalanceMeasure now = backend_.balance_sums();
-    if (now.residual <= below_tolerance * tolerance * scale) break;
+    if (now.residual <= below_tolerance * relaxation.tolerance * scale) break;
     if (watch && watch(iteration, now.residual / scale)) break;
     controls.search_keep = now.preconditioned / before;
     before = now.preconditioned;

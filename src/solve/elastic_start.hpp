@@ -20,7 +20,7 @@ class ElasticStart {
   /// Moves the displacement in the backend towards balance with Field::load and the present temperature. Virtual mass
   /// is set.
   /// @return iterations done
-  long run(double tolerance, double thermal_load, const RelaxationWatch& watch);
+  long run(const Relaxation& relaxation, double thermal_load, const RelaxationWatch& watch);
 
  private:
   const Problem& problem_;

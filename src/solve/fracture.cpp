@@ -125,7 +125,7 @@ bool Fracture::settle(double load_factor) {
     if (static_cast<long>(events_.size()) >= max_events_) return stop("event limit");
     cracks_.keep_slip();
     events_.push_back(cracks_.break_worst_group(load_factor));
-    if (links_.cracked) links_.cracked(events_.back());
+    if (links_.cracked) links_.cracked(events_.back(), cracks_.cracked_fraction());
     if (!relax()) return false;
   }
   keep(load_factor, events_.size() == events_before);

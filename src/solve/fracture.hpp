@@ -21,7 +21,7 @@ struct FractureLinks {
   /// stage.
   std::vector<double> surface_load;
   /// Called for every crack event.
-  std::function<void(const CrackEvent&)> cracked;
+  std::function<void(const CrackEvent&, double cracked_fraction)> cracked;
   /// Called at the end of every increment of the load factor, at equilibrium.
   std::function<void(double load_factor)> increment_reached;
 };

@@ -106,7 +106,7 @@ class Run {
   }
 
   void record(const Moment& moment) {
-    if (warm_) recorder_.temperature(is_thermal(stage()) ? temperature_ : body_temperature_);
+    if (warm_) recorder_.temperature(temperature_);
     recorder_.history_rows(moment);
     if (moment.stage_end || wants_output(moment)) recorder_.snapshot(moment);
   }
@@ -170,14 +170,16 @@ class Run {
         const bool stop_wanted = watch && watch(step, ratio);
         return observer_.interrupted() || stop_wanted;
       };
-      const long iterations =
-          relaxation.search && search->applies() ? search->run(relaxation.tolerance, thermal_load_, look) : 0;
+      const long iterations = relaxation.search && search->applies() ? search->run(relaxation, thermal_load_, look) : 0;
       Equilibrium e = relax(*problem_.backend, relaxation, thermal_load_, look);
       e.steps += iterations;
       result_.interrupted = result_.interrupted || (e.interrupted && observer_.interrupted());
       return e;
     };
-    links.cracked = [this](const CrackEvent& event) { observer_.crack(stage().name, event); };
+    links.cracked = [this](const CrackEvent& event, double cracked_fraction) {
+      cracked_fraction_ = cracked_fraction;
+      observer_.crack(stage().name, event);
+    };
     return links;
   }
 
@@ -195,6 +197,7 @@ class Run {
     p.target = target;
     p.increment = increment_;
     p.increments = increments_;
+    p.cracked_fraction = cracked_fraction_;
     p.fraction = increments_ > 0 ? (increment_ + relaxed_) / increments_ : relaxed_;
     observer_.progress(p);
   }
@@ -213,13 +216,18 @@ class Run {
     increment_ = 0;
     increments_ = how.increments;
     const std::vector<double> base = body_temperature_;
-    std::vector<double> change = temperatures_at_end_.at(how.to);
-    for (std::size_t n = 0; n < change.size(); ++n)
-      change[n] -= how.from.empty() ? problem_.model.reference_temperature : temperatures_at_end_.at(how.from)[n];
+    const std::vector<double>& to = temperatures_at_end_.at(how.to);
+    const std::vector<double> from = how.from.empty()
+                                         ? std::vector<double>(to.size(), problem_.model.reference_temperature)
+                                         : temperatures_at_end_.at(how.from);
     const auto set_load_factor = [&](double factor) {
-      std::vector<double> temperature = base;
-      for (std::size_t n = 0; n < temperature.size(); ++n) temperature[n] += factor * change[n];
-      set_body_temperature(temperature);
+      std::vector<double> seen = base;
+      for (std::size_t n = 0; n < seen.size(); ++n) {
+        const double change = factor * (to[n] - from[n]);
+        seen[n] += change;
+        temperature_[n] = from[n] + change;
+      }
+      set_body_temperature(seen);
     };
     FractureLinks links = set_up(how.relaxation);
     set_load_factor(1);
@@ -233,8 +241,7 @@ class Run {
     Fracture fracture(problem_, links, how.max_events);
     outcome_.converged = fracture.settle(0) && fracture.advance(how.increments);
     fracture.fill(outcome_);
-    for (std::size_t n = 0; n < shift_.size(); ++n)
-      shift_[n] = body_temperature_[n] - temperatures_at_end_.at(how.to)[n];
+    for (std::size_t n = 0; n < shift_.size(); ++n) shift_[n] = body_temperature_[n] - temperature_[n];
   }
 
   // ------------------------------------------------------------------ motion
@@ -299,7 +306,7 @@ class Run {
   std::map<std::string, std::vector<double>> temperatures_at_end_;
   double thermal_load_ = 0;
   int increment_ = 0, increments_ = 0;
-  double relaxed_ = 0;
+  double relaxed_ = 0, cracked_fraction_ = 0;
   Clock::time_point told_{};
 };
 

@@ -129,7 +129,7 @@ Outcome march(const Problem& p, Backend& b, int steps) {
   out.stress = b.read(Field::stress);
 
   ElasticStart search(p, b);
-  if (search.applies()) search.run(1e-12, 0, [](long iteration, double) { return iteration == 20; });
+  if (search.applies()) search.run({.tolerance = 1e-12}, 0, [](long iteration, double) { return iteration == 20; });
   out.searched = b.read(Field::displacement);
   return out;
 }
