@@ -34,8 +34,10 @@ std::vector<std::string> left_out(const Model& model) {
   std::vector<std::string> list;
   const bool breakable = !model.interfaces.empty();
   if (has_condition<WaterPressure>(model)) {
-    list.push_back(breakable ? "uplift: no water pressure acts in joints and cracks, nor in the pores"
-                             : "uplift: no water pressure acts under the dam, nor in its pores");
+    list.push_back(has_condition<Uplift>(model)
+                       ? "uplift inside: it acts on the faces given, not in joints, cracks and pores"
+                   : breakable ? "uplift: no water pressure acts in joints and cracks, nor in the pores"
+                               : "uplift: no water pressure acts under the dam, nor in its pores");
     if (!water_rests_on_ground(model))
       list.push_back("reservoir floor load: the water does not weigh on the ground in front of the dam");
   }

@@ -3,6 +3,7 @@
 
 #include "base/nearest_name.hpp"
 #include "model/conditions.hpp"
+#include "model/loads.hpp"
 #include "model/locate.hpp"
 #include "model/loose_bodies.hpp"
 #include "model/model.hpp"
@@ -98,9 +99,19 @@ class ModelCheck {
     for (const auto& c : model_.conditions) {
       const std::string who = title(c.noun, c.name);
       for (const auto& name : c.surfaces) surface(name, c.where, who);
+      if (std::holds_alternative<Uplift>(c.kind)) uplift(c);
       if (const auto* start = std::get_if<InitialTemperature>(&c.kind))
         for (const auto& name : start->regions) region(name, c.where, who);
     }
+  }
+
+  void uplift(const Condition& c) {
+    for (const auto& name : c.surfaces)
+      if (const Surface* surface = model_.mesh.find_surface(name))
+        collect([&] {
+          std::vector<double> force(3 * model_.mesh.points.size(), 0);
+          add_uplift(model_.mesh, model_.mesh.corners, *surface, std::get<Uplift>(c.kind), c.where, force);
+        });
   }
 
   void stages() {
@@ -222,6 +233,7 @@ class ModelCheck {
         for (const auto* value : {&d->x, &d->y, &d->z})
           if (*value) ask(**value);
       if (const auto* t = std::get_if<Traction>(&c.kind)) ask(t->x), ask(t->y), ask(t->z);
+      if (const auto* p = std::get_if<Pressure>(&c.kind)) ask(p->value);
       if (const auto* t = std::get_if<FixedTemperature>(&c.kind)) ask(t->value);
       if (const auto* t = std::get_if<Convection>(&c.kind)) ask(t->ambient);
       if (const auto* f = std::get_if<Flux>(&c.kind)) ask(f->value);

@@ -1,7 +1,10 @@
 #include "model/loads.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <limits>
 #include <map>
+#include <stdexcept>
 
 #include "physics/gauss_table.hpp"
 
@@ -155,6 +158,74 @@ void add_traction(const Mesh& mesh, std::span<const int> corners, const Surface&
   }
 }
 
+void add_pressure(const Mesh& mesh, std::span<const int> corners, const Surface& surface, const Pressure& pressure,
+                  std::span<double> force) {
+  for (const Facet& facet : surface.facets) {
+    const std::array<int, 4> nodes = facet_nodes(mesh, corners, facet);
+    for (const FacetPoint& point : facet_points(facet_corners(mesh, facet)))
+      add_force(force, nodes, point.shape, -pressure.value(point.position) * point.area);
+  }
+}
+
+LevelLine uplift_line(const Uplift& uplift, double low, double high) {
+  const double heel = uplift.heel.value_or(low), toe = uplift.toe.value_or(high);
+  if (heel == toe) throw std::invalid_argument("'heel' and 'toe' are the same place");
+  LevelLine line{{heel, uplift.upstream_level}};
+  if (uplift.drain) {
+    const double share = (*uplift.drain - heel) / (toe - heel);
+    if (!(share > 0 && share < 1)) {
+      char text[160];
+      std::snprintf(text, sizeof text,
+                    "the drain at x = %.6g m is not between the heel at %.6g m and the toe at %.6g m", *uplift.drain,
+                    heel, toe);
+      throw std::invalid_argument(text);
+    }
+    const double straight = uplift.upstream_level + share * (uplift.downstream_level - uplift.upstream_level);
+    const double base = std::max(uplift.downstream_level, uplift.gallery.value_or(uplift.downstream_level));
+    line.push_back({*uplift.drain, base + (1 - uplift.drain_efficiency) * std::max(straight - base, 0.0)});
+    line.back()[1] = std::min(line.back()[1], straight);
+  }
+  line.push_back({toe, uplift.downstream_level});
+  if (heel > toe) std::reverse(line.begin(), line.end());
+  return line;
+}
+
+void add_uplift(const Mesh& mesh, std::span<const int> corners, const Surface& surface, const Uplift& uplift,
+                const Where& where, std::span<double> force) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Facet& facet : surface.facets)
+    for (const Vec3<double>& p : facet_corners(mesh, facet)) low = std::min(low, p.x), high = std::max(high, p.x);
+  LevelLine line;
+  try {
+    line = uplift_line(uplift, low, high);
+  } catch (const std::invalid_argument& error) {
+    throw DeckError(where, std::string("uplift on surface '") + surface.name + "': " + error.what());
+  }
+  const std::size_t pieces = line.size() + 1;
+  for (const Facet& facet : surface.facets) {
+    const std::array<int, 4> nodes = facet_nodes(mesh, corners, facet);
+    const FacetCorners x = facet_corners(mesh, facet);
+    for (std::size_t k = 0; k < pieces; ++k) {
+      const auto& from = line[k == 0 ? 0 : k - 1];
+      const auto& to = line[k == line.size() ? k - 1 : k];
+      const double slope = k == 0 || k == line.size() ? 0 : (to[1] - from[1]) / (to[0] - from[0]);
+      const double level0 = from[1] - slope * from[0];  // level = level0 + slope x
+      std::vector<HalfSpace> halves{{{-slope, 0, 1}, level0}};
+      if (k > 0) halves.push_back({{-1, 0, 0}, -from[0]});
+      if (k < line.size()) halves.push_back({{1, 0, 0}, to[0]});
+      for (const FacetPoint& point : facet_points_inside(x, halves)) {
+        const double head = level0 + slope * point.position.x - point.position.z;
+        add_force(force, nodes, point.shape, (-uplift.density * uplift.gravity * head) * point.area);
+      }
+    }
+  }
+}
+
+bool is_surface_load(const Condition& condition) {
+  return std::holds_alternative<WaterPressure>(condition.kind) || std::holds_alternative<Traction>(condition.kind) ||
+         std::holds_alternative<Pressure>(condition.kind) || std::holds_alternative<Uplift>(condition.kind);
+}
+
 void add_loads(const Model& model, std::span<const int> corners, std::span<const ActingCondition> acting,
                std::span<double> force) {
   for (const ActingCondition& a : acting) {
@@ -165,6 +236,10 @@ void add_loads(const Model& model, std::span<const int> corners, std::span<const
         add_water_pressure(model.mesh, corners, *surface, *water, force);
       if (const auto* traction = std::get_if<Traction>(&a.condition->kind))
         add_traction(model.mesh, corners, *surface, *traction, force);
+      if (const auto* pressure = std::get_if<Pressure>(&a.condition->kind))
+        add_pressure(model.mesh, corners, *surface, *pressure, force);
+      if (const auto* uplift = std::get_if<Uplift>(&a.condition->kind))
+        add_uplift(model.mesh, corners, *surface, *uplift, a.condition->where, force);
     }
   }
 }

@@ -49,7 +49,25 @@ void add_water_pressure(const Mesh& mesh, std::span<const int> corners, const Su
 /// Integral of N_i t dA; the traction, Pa, is asked at the 2x2 Gauss points of each facet.
 void add_traction(const Mesh& mesh, std::span<const int> corners, const Surface& surface, const Traction& traction,
                   std::span<double> force);
-/// All gravity, water_pressure and traction among the acting conditions.
+/// Integral of N_i p dA against the outward normal; the pressure, Pa, is asked at the 2x2 Gauss points of each facet.
+void add_pressure(const Mesh& mesh, std::span<const int> corners, const Surface& surface, const Pressure& pressure,
+                  std::span<double> force);
+
+/// Piezometric level along x: straight lines between points of ascending x, constant beyond the ends.
+using LevelLine = std::vector<std::array<double, 2>>;  ///< { x, level }, m
+/// Level of an uplift: straight from heel to toe, and at a line of drains
+///   base + (1 - E) (straight - base), base = the higher of downstream level and gallery floor,
+/// but never above the straight line (USACE EM 1110-2-2200, Gravity Dam Design, 1995, 3-3 d). `low`, `high`: smallest
+/// and largest x of the surface. Throws std::invalid_argument if heel and toe coincide or the drain is not between
+/// them.
+LevelLine uplift_line(const Uplift& uplift, double low, double high);
+/// Pressure density gravity (level(x) - z) where positive, against the outward normal. Throws DeckError with `where`.
+void add_uplift(const Mesh& mesh, std::span<const int> corners, const Surface& surface, const Uplift& uplift,
+                const Where& where, std::span<double> force);
+
+/// Whether a condition is a load spread over its surfaces.
+bool is_surface_load(const Condition& condition);
+/// All gravity and surface loads among the acting conditions.
 void add_loads(const Model& model, std::span<const int> corners, std::span<const ActingCondition> acting,
                std::span<double> force);
 

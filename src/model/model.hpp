@@ -104,6 +104,17 @@ struct Displacement { std::optional<Value> x, y, z; };             ///< m
 struct Gravity { Vec3<double> acceleration; };                      ///< m/s^2
 struct WaterPressure { double level = 0, density = 1000, gravity = 9.81; };  ///< p = density gravity (level - z) below the level
 struct Traction { Value x, y, z; };                                 ///< Pa
+struct Pressure { Value value; };                                   ///< Pa, against the outward normal
+/// Water pressure under a base, density gravity (level(x) - z) where positive. The piezometric level runs linearly in x
+/// from `upstream_level` at the heel to `downstream_level` at the toe, with a kink at a line of drains (loads.hpp).
+struct Uplift {
+  double upstream_level = 0, downstream_level = 0;                  ///< heights z, m
+  std::optional<double> heel, toe;            ///< x, m; without: lowest and highest x of the surface
+  std::optional<double> drain;                ///< x of the line of drains, m
+  double drain_efficiency = 0;                ///< E, 0 to 1
+  std::optional<double> gallery;              ///< height z of the floor that the drains empty onto, m
+  double density = 1000, gravity = 9.81;
+};
 struct FixedTemperature { Value value; std::optional<double> below, above; };  ///< nodes with z <= below, z >= above only
 struct Convection { Value ambient; double film = 0; std::optional<double> below, above; };  ///< facets by centroid z
 struct Flux { Value value; };                                       ///< W/m^2 into the body
@@ -111,8 +122,8 @@ struct InitialTemperature { Value value; std::vector<std::string> regions; };  /
 struct TemperatureField { Value value; };                           ///< prescribed everywhere in a stage: degC
 
 struct Condition {
-  using Kind = std::variant<Fix, Displacement, Gravity, WaterPressure, Traction, FixedTemperature, Convection, Flux,
-                            InitialTemperature, TemperatureField>;
+  using Kind = std::variant<Fix, Displacement, Gravity, WaterPressure, Traction, Pressure, Uplift, FixedTemperature,
+                            Convection, Flux, InitialTemperature, TemperatureField>;
   std::string noun;                           ///< "fix", "gravity", ... as in the deck
   std::string name;                           ///< may be empty
   Where where;

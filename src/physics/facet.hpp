@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "base/tensor.hpp"
@@ -66,19 +68,32 @@ inline std::array<double, 4> facet_shape_at(const FacetCorners& x, const Vec3<do
   return facet_shape(a, b);
 }
 
-/// Quadrature of the part of the facet with z < level: all of it (2x2 Gauss), nothing, or the polygon cut off by the
-/// level, split into triangles with a rule of degree 4. Resultant and point of action of a pressure that is linear in z
-/// are exact on plane facets of any shape; nodal parts are exact on parallelograms and triangles.
-inline std::vector<FacetPoint> facet_points_below(const FacetCorners& x, double level) {
-  std::vector<Vec3<double>> wet;
-  int below = 0;
-  for (int i = 0; i < 4; ++i) {
-    const Vec3<double>&p = x[i], &q = x[(i + 1) % 4];
-    if (p.z < level) wet.push_back(p);
-    if (p.z <= level) ++below;
-    if ((p.z < level) != (q.z < level)) wet.push_back(p + ((level - p.z) / (q.z - p.z)) * (q - p));
+/// The points p with dot(normal, p) < offset.
+struct HalfSpace {
+  Vec3<double> normal;
+  double offset = 0;
+};
+
+/// Quadrature of the part of the facet inside all half-spaces: all of it (2x2 Gauss), nothing, or the polygon that is
+/// left, split into triangles with a rule of degree 4. Resultant and point of action of a pressure that is linear in
+/// space are exact on plane facets of any shape; nodal parts are exact on parallelograms and triangles.
+inline std::vector<FacetPoint> facet_points_inside(const FacetCorners& x, std::span<const HalfSpace> halves) {
+  std::vector<Vec3<double>> wet(x.begin(), x.end());
+  bool whole = true;
+  for (const HalfSpace& half : halves) {
+    const auto beyond = [&](const Vec3<double>& p) { return dot(half.normal, p) - half.offset; };
+    if (std::all_of(wet.begin(), wet.end(), [&](const Vec3<double>& p) { return beyond(p) <= 0; })) continue;
+    whole = false;
+    std::vector<Vec3<double>> kept;
+    for (std::size_t i = 0; i < wet.size(); ++i) {
+      const Vec3<double>&p = wet[i], &q = wet[(i + 1) % wet.size()];
+      const double at_p = beyond(p), at_q = beyond(q);
+      if (at_p < 0) kept.push_back(p);
+      if ((at_p < 0) != (at_q < 0)) kept.push_back(p + (at_p / (at_p - at_q)) * (q - p));
+    }
+    wet = std::move(kept);
   }
-  if (below == 4) {
+  if (whole) {
     const auto all = facet_points(x);
     return {all.begin(), all.end()};
   }
@@ -98,6 +113,12 @@ inline std::vector<FacetPoint> facet_points_below(const FacetCorners& x, double 
       }
   }
   return points;
+}
+
+/// The part of the facet with z < level.
+inline std::vector<FacetPoint> facet_points_below(const FacetCorners& x, double level) {
+  const HalfSpace below{{0, 0, 1}, level};
+  return facet_points_inside(x, {&below, 1});
 }
 
 }  // namespace ashlar

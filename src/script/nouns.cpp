@@ -137,6 +137,27 @@ int add_interface(const Call& c) {
   return 0;
 }
 
+Uplift uplift(const Call& c) {
+  const Fields& f = c.fields;
+  if (f.has("drain") != f.has("drain_efficiency"))
+    c.complain(f.has("drain") ? "drain" : "drain_efficiency",
+               "'drain' [m] and 'drain_efficiency' [0 to 1] belong together; give both or none");
+  if (f.has("gallery") && !f.has("drain"))
+    c.complain("gallery", "'gallery' has no meaning without 'drain'; it is the floor that the drains empty onto");
+  if (f.number("downstream_level") > f.number("upstream_level"))
+    c.complain("downstream_level",
+               "'downstream_level' is above 'upstream_level'; if the reservoir is on the right, swap 'heel' and 'toe'");
+  return {f.number("upstream_level"),
+          f.number("downstream_level"),
+          f.maybe("heel"),
+          f.maybe("toe"),
+          f.maybe("drain"),
+          f.maybe("drain_efficiency").value_or(0),
+          f.maybe("gallery"),
+          f.number("density"),
+          f.number("gravity")};
+}
+
 Condition::Kind condition_kind(const Call& c) {
   const Fields& f = c.fields;
   const std::string& noun = c.noun.name;
@@ -157,6 +178,8 @@ Condition::Kind condition_kind(const Call& c) {
   }
   if (noun == "water_pressure") return WaterPressure{f.number("level"), f.number("density"), f.number("gravity")};
   if (noun == "traction") return Traction{f.value("x"), f.value("y"), f.value("z")};
+  if (noun == "pressure") return Pressure{f.value("value")};
+  if (noun == "uplift") return uplift(c);
   if (noun == "fixed_temperature") return FixedTemperature{f.value("value"), f.maybe("below"), f.maybe("above")};
   if (noun == "convection") return Convection{f.value("ambient"), f.number("film"), f.maybe("below"), f.maybe("above")};
   if (noun == "flux") return Flux{f.value("value")};

@@ -261,6 +261,38 @@ const std::vector<NounRule>& nouns() {
                 field("y", dimension::pressure, "along y").otherwise(0),
                 field("z", dimension::pressure, "along z").otherwise(0)},
        .example = R"(traction "ice" { surface = "top", x = function(x, y, z) return 10*kPa * (1 - y/12) end })"},
+      {.name = "pressure",
+       .kind = NounKind::condition,
+       .naming = Naming::optional,
+       .doc = "Force per area against the outward normal of a surface, such as silt, ice or gas; negative pulls.",
+       .keys = {surface_key(),
+                field("value", dimension::pressure, "the pressure, a number or a function of x, y, z").need()},
+       .example = R"(pressure "silt" { surface = "upstream", value = function(x, y, z) return z < 10 and 5.5e3*(10 - z) or 0 end })"},
+      {.name = "uplift",
+       .kind = NounKind::condition,
+       .naming = Naming::optional,
+       .doc = "Water pressure under a base, density * gravity * (level - z) where positive. The piezometric level runs "
+              "straight along x from `upstream_level` at the heel to `downstream_level` at the toe; at a line of drains "
+              "it is base + (1 - drain_efficiency) * (straight - base), base being the downstream level or the gallery "
+              "floor if that is higher (USACE EM 1110-2-2200, 3-3 d). For any other shape use `pressure` with a "
+              "function. On a base held by `fix` it changes reactions only.",
+       .keys = {surface_key(),
+                number("upstream_level", dimension::length, range::any, "height z of the headwater").need(),
+                number("downstream_level", dimension::length, range::any,
+                       "height z of the tailwater; of the ground at the toe if there is none")
+                    .need(),
+                number("drain", dimension::length, range::any, "x of the line of drains"),
+                number("drain_efficiency", dimension::none, Range{0, 1},
+                       "share of the head above the base level that the drains take away; EM 1110-2-2200 allows 0.25 "
+                       "to 0.5, more only as measured"),
+                number("gallery", dimension::length, range::any,
+                       "height z of the gallery floor that the drains empty onto; below the tailwater unless given"),
+                number("heel", dimension::length, range::any, "x of the heel; the surface's lowest x unless given"),
+                number("toe", dimension::length, range::any, "x of the toe; the surface's highest x unless given"),
+                number("density", dimension::density, range::positive, "of the water").otherwise(1000),
+                number("gravity", dimension::acceleration, range::positive, "strength of gravity").otherwise(9.81)},
+       .example =
+           R"(uplift { surface = "bottom", upstream_level = 55*m, downstream_level = 5*m, drain = 6*m, drain_efficiency = 0.5 })"},
       {.name = "fixed_temperature",
        .kind = NounKind::condition,
        .naming = Naming::optional,

@@ -50,8 +50,7 @@ MechanicalConditions mechanical_conditions(const Problem& p, int stage) {
   std::vector<ActingCondition> on_surfaces;
   std::map<int, double> prescribed;
   for (const ActingCondition& a : acting) {
-    if (std::holds_alternative<WaterPressure>(a.condition->kind) || std::holds_alternative<Traction>(a.condition->kind))
-      on_surfaces.push_back(a);
+    if (is_surface_load(*a.condition)) on_surfaces.push_back(a);
     for (const Surface* surface : a.surfaces) {
       if (const auto* f = std::get_if<Fix>(&a.condition->kind)) fix(p, *a.condition, *f, *surface, out);
       if (const auto* d = std::get_if<Displacement>(&a.condition->kind)) {

@@ -8,7 +8,7 @@ namespace ashlar {
 
 struct MechanicalConditions {
   std::vector<double> load;          ///< [3 * block nodes] N, all of it
-  std::vector<double> surface_load;  ///< [3 * block nodes] N, water pressure and traction only
+  std::vector<double> surface_load;  ///< [3 * block nodes] N, loads spread over surfaces only
   std::vector<double> fixed;         ///< [block nodes] bits 0 1 2: x y z held
   std::vector<int> prescribed;       ///< components 3 * node + axis whose displacement is given
   std::vector<double> displacement;  ///< m, parallel to prescribed
