@@ -53,6 +53,19 @@ struct MeshContent {
     }
   };
   Elements volumes, facets;
+  /// Surfaces given by faces of volume elements (which keep their order in the mesh), or by all outer faces of some.
+  struct FaceSet {
+    std::string name;
+    std::vector<Facet> facets;
+    std::vector<int> free_elements;
+  };
+  /// Surfaces given by nodes, as indices.
+  struct NodeSet {
+    std::string name;
+    std::vector<int> nodes;
+  };
+  std::vector<FaceSet> face_sets;
+  std::vector<NodeSet> node_sets;
   std::vector<char> used_by_volume, used_at_all;  ///< [nodes]
 
   /// Appends an element to the list of its dimension and marks its nodes, which are indices. Throws DeckError when

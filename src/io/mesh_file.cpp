@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <filesystem>
 #include <map>
 #include <numeric>
 
+#include "io/abaqus_file.hpp"
 #include "io/gmsh_file.hpp"
 
 namespace ashlar {
@@ -141,6 +144,14 @@ FaceKey face_key(std::span<const int> nodes) {
   return key;
 }
 
+void sort_facets(std::vector<Facet>& facets) {
+  auto less = [](const Facet& a, const Facet& b) {
+    return a.element != b.element ? a.element < b.element : a.face < b.face;
+  };
+  std::sort(facets.begin(), facets.end(), less);
+  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+}
+
 /// Finds the element face of every 2-D element and sorts the facets into their surfaces.
 void add_surfaces(const Scanner& scanner, const MeshContent& content, const std::vector<int>& node_of, Mesh& mesh) {
   const auto& facets = content.facets;
@@ -190,22 +201,64 @@ void add_surfaces(const Scanner& scanner, const MeshContent& content, const std:
     for (const int group : content.memberships[facets.membership[f]].groups) surfaces[group].push_back(owner[f]);
   }
   for (auto& [number, list] : surfaces) {
-    auto less = [](const Facet& a, const Facet& b) {
-      return a.element != b.element ? a.element < b.element : a.face < b.face;
-    };
-    std::sort(list.begin(), list.end(), less);
-    list.erase(std::unique(list.begin(), list.end()), list.end());
+    sort_facets(list);
     const std::string name = group_name(content, 2, number);
     if (mesh.find_surface(name)) scanner.fail_file("two surface groups are called '" + name + "'");
     mesh.surfaces.push_back({name, std::move(list)});
   }
 }
 
+/// Surfaces given by faces, then those given by nodes: the outer faces with all nodes in the set, or, where there is
+/// none, the inner ones. A set without any whole face is no surface; nor is one whose name a surface already has.
+void add_sets(const MeshContent& content, const std::vector<int>& node_of, Mesh& mesh) {
+  if (content.face_sets.empty() && content.node_sets.empty()) return;
+  const FaceGraph faces = find_faces(mesh);
+  for (const auto& set : content.face_sets) {
+    std::vector<Facet> facets = set.facets;
+    std::vector<char> is_free(mesh.element_count(), 0);
+    for (const int e : set.free_elements) is_free[e] = 1;
+    for (const Facet& facet : faces.outer)
+      if (is_free[facet.element]) facets.push_back(facet);
+    sort_facets(facets);
+    std::erase_if(mesh.surfaces, [&](const Surface& other) { return other.name == set.name; });
+    mesh.surfaces.push_back({set.name, std::move(facets)});
+  }
+  for (const auto& set : content.node_sets) {
+    if (mesh.find_surface(set.name)) continue;
+    std::vector<char> in_set(mesh.points.size(), 0);
+    for (const int n : set.nodes)
+      if (node_of[n] >= 0) in_set[node_of[n]] = 1;
+    auto is_whole = [&](const Facet& facet) {
+      const auto element = mesh.element(facet.element);
+      const auto local = face_corners(mesh.shapes[facet.element], facet.face);
+      return std::all_of(local.begin(), local.end(), [&](int corner) { return in_set[element[corner]] != 0; });
+    };
+    std::vector<Facet> facets;
+    for (const Facet& facet : faces.outer)
+      if (is_whole(facet)) facets.push_back(facet);
+    if (facets.empty())
+      for (const FacePair& pair : faces.inner)
+        if (is_whole(pair.a)) facets.push_back(pair.a);
+    sort_facets(facets);
+    if (!facets.empty()) mesh.surfaces.push_back({set.name, std::move(facets)});
+  }
+}
+
+/// By the extension of the file's name.
+MeshContent read_content(const std::string& path, Scanner& scanner) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension == ".msh") return read_gmsh(scanner);
+  if (extension == ".inp") return read_abaqus(scanner);
+  scanner.fail_file("the extension '" + extension +
+                    "' of a mesh file is not known; valid: .msh (Gmsh), .inp (Abaqus, CalculiX)");
+}
+
 }  // namespace
 
 Mesh read_mesh(const std::string& path, const Where& where) {
   Scanner scanner(path, where);
-  const MeshContent content = read_gmsh(scanner);
+  const MeshContent content = read_content(path, scanner);
   if (content.volumes.ids.empty())
     scanner.fail_file(
         "there are no volume elements; hex8, wedge6 and tet4 are read (is the mesh three-dimensional, and saved with "
@@ -222,6 +275,7 @@ Mesh read_mesh(const std::string& path, const Where& where) {
   }
   add_elements(scanner, content, node_of, mesh);
   add_surfaces(scanner, content, node_of, mesh);
+  add_sets(content, node_of, mesh);
   return mesh;
 }
 

@@ -6,7 +6,8 @@
 
 namespace ashlar {
 
-/// Reads a Gmsh mesh file (.msh, version 2.2 or 4.1, ASCII or binary) with hex8, wedge6 and tet4 elements.
+/// Reads a mesh file with hex8, wedge6 and tet4 elements, by its extension: Abaqus and CalculiX (.inp, see
+/// abaqus_file.hpp) or Gmsh (.msh, version 2.2 or 4.1, ASCII or binary).
 /// Volume groups become regions, surface groups become surfaces, by ascending group number; a group without a name is
 /// called "region_<number>" or "surface_<number>". A file without volume groups gets one region per geometric volume,
 /// "region_<volume>". A facet between two elements belongs to the element that comes first in the file. Points and

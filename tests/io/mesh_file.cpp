@@ -24,8 +24,8 @@ std::string text_of(const std::string& path) {
 /// A file in the temporary folder that goes away with the test.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& text) {
-    path_ = (std::filesystem::temp_directory_path() / ("ashlar_mesh_" + std::to_string(getpid()) + ".msh")).string();
+  explicit TemporaryFile(const std::string& text, const std::string& extension = ".msh") {
+    path_ = (std::filesystem::temp_directory_path() / ("ashlar_mesh_" + std::to_string(getpid()) + extension)).string();
     std::ofstream(path_) << text;
   }
   ~TemporaryFile() { std::filesystem::remove(path_); }
@@ -35,14 +35,14 @@ class TemporaryFile {
   std::string path_;
 };
 
-Mesh read_text(const std::string& text) {
-  const TemporaryFile file(text);
+Mesh read_text(const std::string& text, const std::string& extension = ".msh") {
+  const TemporaryFile file(text, extension);
   return read_mesh(file.path(), {"dam.lua", 3});
 }
 
 /// The complaint about a mesh file, without the path: "dam.lua:3: mesh:12: ...".
-std::string complaint(const std::string& text) {
-  const TemporaryFile file(text);
+std::string complaint(const std::string& text, const std::string& extension = ".msh") {
+  const TemporaryFile file(text, extension);
   try {
     read_mesh(file.path(), {"dam.lua", 3});
   } catch (const DeckError& error) {
@@ -137,7 +137,8 @@ TEST_P(Column, regions_fill_their_cubes_and_surfaces_have_their_areas) {
 INSTANTIATE_TEST_SUITE_P(shapes, Column,
                          testing::Values("column_hex_41.msh", "column_wedge_41.msh", "column_tet_41.msh",
                                          "column_hex_22.msh", "column_hex_22_binary.msh", "column_hex_41_binary.msh",
-                                         "column_wedge_41_binary.msh", "column_tet_41_binary.msh"));
+                                         "column_wedge_41_binary.msh", "column_tet_41_binary.msh", "column_hex.inp",
+                                         "column_wedge.inp", "column_tet.inp"));
 
 TEST(MeshFile, facets_may_belong_to_several_surfaces_and_unnamed_groups_get_their_number) {
   const Mesh mesh = read_mesh(data_file("column_hex_41.msh"), {});
@@ -161,13 +162,13 @@ TEST(MeshFile, both_versions_give_the_same_body) {
   for (const auto& s : a.surfaces) EXPECT_EQ(s.facets.size(), b.find_surface(s.name)->facets.size());
 }
 
-/// Same nodes, elements, regions and surfaces, to the last bit and in the same order.
-void expect_same(const Mesh& a, const Mesh& b) {
+/// Same nodes, elements, regions and surfaces, in the same order; coordinates to the last digit that the file has.
+void expect_same(const Mesh& a, const Mesh& b, double tolerance) {
   ASSERT_EQ(a.node_count(), b.node_count());
   for (int n = 0; n < a.node_count(); ++n) {
-    EXPECT_EQ(a.points[n].x, b.points[n].x);
-    EXPECT_EQ(a.points[n].y, b.points[n].y);
-    EXPECT_EQ(a.points[n].z, b.points[n].z);
+    EXPECT_NEAR(a.points[n].x, b.points[n].x, tolerance);
+    EXPECT_NEAR(a.points[n].y, b.points[n].y, tolerance);
+    EXPECT_NEAR(a.points[n].z, b.points[n].z, tolerance);
   }
   EXPECT_EQ(a.shapes, b.shapes);
   EXPECT_EQ(a.corners, b.corners);
@@ -183,7 +184,7 @@ void expect_same(const Mesh& a, const Mesh& b) {
 TEST(MeshFile, binary_files_give_the_same_mesh) {
   for (const std::string name : {"column_hex_41", "column_wedge_41", "column_tet_41"}) {
     SCOPED_TRACE(name);
-    expect_same(read_mesh(data_file(name + ".msh"), {}), read_mesh(data_file(name + "_binary.msh"), {}));
+    expect_same(read_mesh(data_file(name + ".msh"), {}), read_mesh(data_file(name + "_binary.msh"), {}), 0);
   }
 }
 
@@ -348,6 +349,133 @@ TEST(MeshFile, every_truncation_and_every_damaged_byte_gives_a_complaint_or_a_me
       std::string damaged = column;
       damaged[i] = c;
       complaint(damaged);  // anything but DeckError ends the test program
+    }
+}
+
+TEST(MeshFile, abaqus_files_give_the_same_mesh) {
+  for (const std::string shape : {"hex", "wedge", "tet"}) {
+    SCOPED_TRACE(shape);
+    expect_same(read_mesh(data_file("column_" + shape + "_41.msh"), {}),
+                read_mesh(data_file("column_" + shape + ".inp"), {}), 1e-13);
+  }
+}
+
+/// Two C3D8 on each other in the manner of CalculiX: sections, surfaces, sets by range and by name.
+const std::string two_bricks = R"(** two bricks
+*Heading
+anything
+*node, nset=Nall
+10, 0, 0, 0
+20, 1., 0, 0
+30, 1.0D+00, 1, 0
+40, 0, 1, 0
+50, 0, 0, 1
+60, 1, 0, 1
+70, 1, 1, 1
+80, 0, 1, 1
+90, 0, 0, 2
+100, 1, 0, 2
+110, 1, 1, 2
+120, 0, 1, 2
+*Element, type=C3D8I,
+ elset=Eall
+3, 10, 20, 30, 40, 50,
+60, 70, 80
+4, 50, 60, 70, 80, 90, 100, 110, 120
+*ELSET, ELSET=Rock, GENERATE
+3, 3, 1
+*ELSET, elset=dam
+4
+*ELSET, elset=both
+rock, DAM
+*NSET, NSET=Middle
+50, 60, 70, 80
+*NSET, NSET=Top, GENERATE
+90, 120, 10
+*SURFACE, NAME=Bottom, TYPE=ELEMENT
+rock, S1
+*SURFACE, NAME=Skin
+both,
+*SOLID SECTION, ELSET=ROCK, MATERIAL=m
+*SOLID SECTION, ELSET=DAM, MATERIAL=m
+1.,
+*STEP
+*STATIC
+*END STEP
+)";
+
+TEST(AbaqusFile, sections_are_regions_and_sets_are_surfaces) {
+  const Mesh mesh = read_text(two_bricks, ".inp");
+  EXPECT_EQ(mesh.region_names, (std::vector<std::string>{"Rock", "dam"}));
+  EXPECT_EQ(mesh.regions, (std::vector<int>{0, 1}));
+  EXPECT_EQ(surface_area(mesh, "Bottom").z, -1);
+  EXPECT_EQ(surface_area(mesh, "Top").z, 1);
+  EXPECT_EQ(surface_area(mesh, "Middle").z, 1);  // an inner face, seen from the rock
+  for (const char* closed : {"Skin", "Nall"}) {
+    EXPECT_EQ(mesh.find_surface(closed)->facets.size(), 10u);  // without the inner face
+    EXPECT_EQ(norm(surface_area(mesh, closed)), 0);
+  }
+}
+
+TEST(AbaqusFile, face_labels_mean_the_faces_of_the_manual) {
+  const double z[] = {-1, 1, 0, 0, 0, 0}, y[] = {0, 0, -1, 0, 1, 0}, x[] = {0, 0, 0, 1, 0, -1};
+  for (int s = 0; s < 6; ++s) {
+    const Mesh mesh = read_text(replaced(two_bricks, "rock, S1", "rock, s" + std::to_string(s + 1)), ".inp");
+    const auto area = surface_area(mesh, "Bottom");
+    EXPECT_EQ(area.x, x[s]);
+    EXPECT_EQ(area.y, y[s]);
+    EXPECT_EQ(area.z, z[s]);
+  }
+}
+
+TEST(AbaqusFile, without_sections_disjoint_sets_are_regions_and_else_those_of_the_elements) {
+  std::string text = two_bricks.substr(0, two_bricks.find("*SOLID"));
+  EXPECT_EQ(read_text(text, ".inp").region_names, (std::vector<std::string>{"Rock", "dam"}));
+  text = replaced(text, "3, 3, 1", "3, 4, 1");
+  EXPECT_EQ(read_text(replaced(text, "3, 4, 1", "3, 3, 1\n*ELSET, ELSET=low\n3"), ".inp").region_names,
+            (std::vector<std::string>{"Eall"}));
+  text = replaced(replaced(text, " elset=Eall\n", ""), "C3D8I,", "C3D8I");
+  EXPECT_EQ(complaint(replaced(text, "3, 4, 1", "3, 3, 1\n*ELSET, ELSET=low\n3"), ".inp"),
+            "dam.lua:3: mesh:18: hex8 element 3 is in two element sets, 'Rock' and 'low'; every element must be in "
+            "exactly one: name those that are regions by *SOLID SECTION");
+  EXPECT_EQ(read_text(text.substr(0, text.find("*ELSET")), ".inp").region_names,
+            (std::vector<std::string>{"region_1"}));
+}
+
+TEST(AbaqusFile, complaints_name_the_line_and_the_remedy) {
+  auto complain = [](const std::string& from, const std::string& to) {
+    return complaint(replaced(two_bricks, from, to), ".inp");
+  };
+  EXPECT_EQ(
+      complain("C3D8I", "C3D20R"),
+      "dam.lua:3: mesh:17: element type C3D20R is of second order; only first-order elements are read: mesh again "
+      "with C3D8, C3D6 or C3D4");
+  EXPECT_EQ(
+      complain("*Heading", "*PART, NAME=dam"),
+      "dam.lua:3: mesh:2: *PART is not read; write a flat file (Abaqus/CAE: Model > Edit Attributes > 'Do not use "
+      "parts and assemblies in input files')");
+  EXPECT_EQ(complain("90, 100, 110, 120\n", "90, 100, 110, 121\n"),
+            "dam.lua:3: mesh:21: element 4 (C3D8I) uses node 121, which *NODE does not give");
+  EXPECT_EQ(complain("60, 70, 80\n", "60, 70\n"), "dam.lua:3: mesh:19: an element C3D8I has 8 nodes, found 16");
+  EXPECT_EQ(complain("rock, S1", "rock, S7"), "dam.lua:3: mesh:33: a hex8 element has the faces S1 to S6, found 'S7'");
+  EXPECT_EQ(complain("20, 1., 0, 0", "20, one, 0, 0"), "dam.lua:3: mesh:6: expected a coordinate x, found 'one'");
+  EXPECT_EQ(complain("20, 1., 0, 0", "10, 1., 0, 0"), "dam.lua:3: mesh: node 10 is given twice");
+  EXPECT_EQ(complain("3, 3, 1", "3, 3000000000, 1"),
+            "dam.lua:3: mesh:23: the sets have more members than a file of this size can hold");
+  EXPECT_EQ(complain("ELSET=DAM, MAT", "ELSET=both, MAT"),
+            "dam.lua:3: mesh:19: hex8 element 3 is in two element sets, 'Rock' and 'both'; every element must be in "
+            "exactly one: name those that are regions by *SOLID SECTION");
+  EXPECT_EQ(complaint(two_bricks.substr(0, two_bricks.find("*Element")), ".inp").substr(0, 50),
+            "dam.lua:3: mesh: there are no volume elements; hex");
+}
+
+TEST(AbaqusFile, every_truncation_and_every_damaged_byte_gives_a_complaint_or_a_mesh) {
+  for (std::size_t length = 0; length < two_bricks.size(); ++length) complaint(two_bricks.substr(0, length), ".inp");
+  for (std::size_t i = 0; i < two_bricks.size(); ++i)
+    for (const char c : {'-', '9', ' ', '*', ',', '\n', '='}) {
+      std::string damaged = two_bricks;
+      damaged[i] = c;
+      complaint(damaged, ".inp");  // anything but DeckError ends the test program
     }
 }
 
