@@ -33,6 +33,7 @@ inline constexpr Dimension fracture_energy{0, 1, -2, 0};        // J/m^2
 inline constexpr Dimension conductivity{1, 1, -3, -1};          // W/(m K)
 inline constexpr Dimension film{0, 1, -3, -1};                  // W/(m^2 K)
 inline constexpr Dimension heat_flux{0, 1, -3, 0};              // W/m^2
+inline constexpr Dimension heat_source{-1, 1, -3, 0};           // W/m^3
 inline constexpr Dimension heat_capacity{2, 0, -2, -1};         // J/(kg K)
 inline constexpr Dimension expansion{0, 0, 0, -1};              // 1/K
 }  // namespace dimension

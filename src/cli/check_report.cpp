@@ -150,6 +150,7 @@ bool matters(const Condition& condition, const Stage& stage) {
   return thermal_stage == (std::holds_alternative<FixedTemperature>(condition.kind) ||
                            std::holds_alternative<Convection>(condition.kind) ||
                            std::holds_alternative<Flux>(condition.kind) ||
+                           std::holds_alternative<HeatSource>(condition.kind) ||
                            std::holds_alternative<InitialTemperature>(condition.kind));
 }
 

@@ -100,9 +100,19 @@ class ModelCheck {
       const std::string who = title(c.noun, c.name);
       for (const auto& name : c.surfaces) surface(name, c.where, who);
       if (std::holds_alternative<Uplift>(c.kind)) uplift(c);
+      if (const auto* load = std::get_if<PointLoad>(&c.kind)) inside(load->at, c.where, who);
+      if (const auto* source = std::get_if<HeatSource>(&c.kind))
+        for (const auto& name : source->regions) region(name, c.where, who);
       if (const auto* start = std::get_if<InitialTemperature>(&c.kind))
         for (const auto& name : start->regions) region(name, c.where, who);
     }
+  }
+
+  void inside(const Vec3<double>& place, const Where& where, const std::string& who) {
+    if (locate(model_.mesh, place)) return;
+    const auto& near = model_.mesh.points[nearest_node(model_.mesh, place)];
+    complaints_.add(
+        where, who + ": " + place_text(place) + " is outside the body; the nearest node is at " + place_text(near));
   }
 
   void uplift(const Condition& c) {
@@ -182,10 +192,8 @@ class ModelCheck {
           complaints_.add(h.where, who + ": '" + of_motion + "' needs a stage with solve = dynamic {...}");
       if (!h.at) {
         if (!h.surface.empty()) surface(h.surface, h.where, who);
-      } else if (!locate(model_.mesh, *h.at)) {
-        const auto& near = model_.mesh.points[nearest_node(model_.mesh, *h.at)];
-        complaints_.add(h.where, who + ": " + place_text(*h.at) + " is outside the body; the nearest node is at " +
-                                     place_text(near));
+      } else {
+        inside(*h.at, h.where, who);
       }
     }
     std::vector<std::string> written;
@@ -215,7 +223,7 @@ class ModelCheck {
   }
   static bool thermal_boundary(const Condition& c) {
     return std::holds_alternative<FixedTemperature>(c.kind) || std::holds_alternative<Convection>(c.kind) ||
-           std::holds_alternative<Flux>(c.kind);
+           std::holds_alternative<Flux>(c.kind) || std::holds_alternative<HeatSource>(c.kind);
   }
   static bool felt_by(const Condition& c, const Stage& stage) {
     if (std::holds_alternative<InitialTemperature>(c.kind) || std::holds_alternative<TemperatureField>(c.kind))
@@ -237,6 +245,7 @@ class ModelCheck {
       if (const auto* t = std::get_if<FixedTemperature>(&c.kind)) ask(t->value);
       if (const auto* t = std::get_if<Convection>(&c.kind)) ask(t->ambient);
       if (const auto* f = std::get_if<Flux>(&c.kind)) ask(f->value);
+      if (const auto* h = std::get_if<HeatSource>(&c.kind)) ask(h->value);
       if (const auto* t = std::get_if<InitialTemperature>(&c.kind)) ask(t->value);
       if (const auto* t = std::get_if<TemperatureField>(&c.kind)) ask(t->value);
     }

@@ -21,13 +21,28 @@ std::vector<const Surface*> surfaces_of(const Model& model, const Condition& con
   return surfaces;
 }
 
-/// Takes the surfaces of `newer` away from entries of the same noun that earlier stages gave.
+std::vector<int> regions_of(const Model& model, const Condition& condition) {
+  std::vector<int> regions;
+  const auto* source = std::get_if<HeatSource>(&condition.kind);
+  if (!source) return regions;
+  for (const std::string& name : source->regions.empty() ? model.mesh.region_names : source->regions) {
+    regions.push_back(model.mesh.find_region(name));
+    if (regions.back() < 0) throw DeckError(condition.where, condition.noun + ": there is no region '" + name + "'");
+  }
+  std::sort(regions.begin(), regions.end());
+  regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+  return regions;
+}
+
+/// Takes the surfaces, regions or place of `newer` away from entries of the same noun that earlier stages gave.
 void replace_older(std::vector<Entry>& entries, const Entry& newer) {
   std::erase_if(entries, [&](Entry& old) {
     if (old.given >= newer.given || old.acting.condition->noun != newer.acting.condition->noun) return false;
-    if (old.acting.condition->surfaces.empty()) return true;
+    if (const auto* load = std::get_if<PointLoad>(&old.acting.condition->kind))
+      return norm(load->at - std::get<PointLoad>(newer.acting.condition->kind).at) == 0;
     for (const Surface* taken : newer.acting.surfaces) std::erase(old.acting.surfaces, taken);
-    return old.acting.surfaces.empty();
+    for (const int taken : newer.acting.regions) std::erase(old.acting.regions, taken);
+    return old.acting.surfaces.empty() && old.acting.regions.empty();
   });
 }
 
@@ -37,7 +52,7 @@ std::vector<ActingCondition> acting_conditions(const Model& model, int stage) {
   std::vector<Entry> entries;
   const auto give = [&](const Condition& condition, int given) {
     std::erase_if(entries, [&](const Entry& old) { return old.acting.condition == &condition; });
-    Entry entry{{&condition, surfaces_of(model, condition)}, given};
+    Entry entry{{&condition, surfaces_of(model, condition), regions_of(model, condition)}, given};
     replace_older(entries, entry);
     entries.push_back(std::move(entry));
   };

@@ -10,12 +10,14 @@ namespace ashlar {
 struct ActingCondition {
   const Condition* condition = nullptr;
   std::vector<const Surface*> surfaces;  ///< in the deck's order; empty for nouns without surfaces
+  std::vector<int> regions{};            ///< where a heat source acts, ascending; empty for other nouns
 };
 
 /// Conditions that act in stage `stage` (0-based), oldest first. Those declared outside `apply` are older than the
 /// first stage. A condition of the same noun on the same surface given by a later stage replaces the earlier one there
-/// (nouns without surfaces: altogether); conditions given together add up. `remove` acts before `apply` of the same
-/// stage. Throws DeckError for a surface that does not exist.
+/// (point loads: at the same place; heat sources: in the same region; other nouns without surfaces: altogether);
+/// conditions given together add up. `remove` acts before `apply` of the same stage. Throws DeckError for a surface or
+/// region that does not exist.
 std::vector<ActingCondition> acting_conditions(const Model& model, int stage);
 
 /// Material of every mesh region. Throws DeckError naming regions without one.

@@ -6,6 +6,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "model/locate.hpp"
+#include "model/place_text.hpp"
 #include "physics/gauss_table.hpp"
 
 namespace ashlar {
@@ -32,6 +34,42 @@ std::array<double, 8> element_corner_volumes(const Mesh& mesh, int element) {
     case Shape::tet4: break;
   }
   return volumes_of<Tet4<double>>(mesh, element);
+}
+
+struct BodyPoint {
+  std::array<double, 8> shape{};  ///< N_k of the element's corners
+  double volume = 0;              ///< m^3
+};
+
+template <class Element>
+std::vector<BodyPoint> points_of(const Mesh& mesh, int element) {
+  const std::span<const int> nodes = mesh.element(element);
+  double x[3][Element::corners];
+  for (int k = 0; k < Element::corners; ++k)
+    for (int i = 0; i < 3; ++i) x[i][k] = mesh.points[nodes[k]][i];
+  const ElementGeometry<Element, double> geometry(x);
+  std::vector<BodyPoint> points(Element::gauss_points);
+  for (int g = 0; g < Element::gauss_points; ++g) {
+    points[g].volume = GaussTable<Element>::factor * geometry.jacobian_at(g).det;
+    for (int k = 0; k < Element::corners; ++k) points[g].shape[k] = Element::shape(g, k);
+  }
+  return points;
+}
+
+std::vector<BodyPoint> body_points(const Mesh& mesh, int element) {
+  switch (mesh.shapes[element]) {
+    case Shape::hex8: return points_of<Hex8<double>>(mesh, element);
+    case Shape::wedge6: return points_of<Wedge6<double>>(mesh, element);
+    case Shape::tet4: break;
+  }
+  const double volume = points_of<Tet4<double>>(mesh, element)[0].volume;
+  constexpr double near = 0.58541019662496845, far = 0.13819660112501052;  // (5 + 3 root 5)/20, (5 - root 5)/20
+  std::vector<BodyPoint> points;
+  for (int k = 0; k < 4; ++k) {
+    points.push_back({{far, far, far, far}, volume / 4});
+    points.back().shape[k] = near;
+  }
+  return points;
 }
 
 void add_force(std::span<double> force, const std::array<int, 4>& nodes, const std::array<double, 4>& shape,
@@ -221,6 +259,15 @@ void add_uplift(const Mesh& mesh, std::span<const int> corners, const Surface& s
   }
 }
 
+void add_point_load(const Mesh& mesh, std::span<const int> corners, const PointLoad& load, const Where& where,
+                    std::span<double> force) {
+  const auto place = locate(mesh, load.at);
+  if (!place) throw DeckError(where, "point_load: " + place_text(load.at) + " is outside the body");
+  for (std::size_t k = 0; k < place->weights.size(); ++k)
+    for (int i = 0; i < 3; ++i)
+      force[3 * corners[mesh.first_corner[place->element] + k] + i] += place->weights[k] * load.force[i];
+}
+
 bool is_surface_load(const Condition& condition) {
   return std::holds_alternative<WaterPressure>(condition.kind) || std::holds_alternative<Traction>(condition.kind) ||
          std::holds_alternative<Pressure>(condition.kind) || std::holds_alternative<Uplift>(condition.kind);
@@ -231,6 +278,8 @@ void add_loads(const Model& model, std::span<const int> corners, std::span<const
   for (const ActingCondition& a : acting) {
     if (const auto* gravity = std::get_if<Gravity>(&a.condition->kind))
       add_gravity(model, corners, gravity->acceleration, force);
+    if (const auto* load = std::get_if<PointLoad>(&a.condition->kind))
+      add_point_load(model.mesh, corners, *load, a.condition->where, force);
     for (const Surface* surface : a.surfaces) {
       if (const auto* water = std::get_if<WaterPressure>(&a.condition->kind))
         add_water_pressure(model.mesh, corners, *surface, *water, force);
@@ -244,6 +293,20 @@ void add_loads(const Model& model, std::span<const int> corners, std::span<const
   }
 }
 
+void add_heat_source(const Mesh& mesh, std::span<const int> corners, std::span<const int> regions, const Value& value,
+                     std::span<double> heat) {
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    if (!std::binary_search(regions.begin(), regions.end(), mesh.regions[e])) continue;
+    const std::span<const int> nodes = mesh.element(e);
+    for (const BodyPoint& point : body_points(mesh, e)) {
+      Vec3<double> position;
+      for (std::size_t k = 0; k < nodes.size(); ++k) position = position + point.shape[k] * mesh.points[nodes[k]];
+      const double made = value(position) * point.volume;
+      for (std::size_t k = 0; k < nodes.size(); ++k) heat[corners[mesh.first_corner[e] + k]] += point.shape[k] * made;
+    }
+  }
+}
+
 ThermalBoundary thermal_boundary(const Mesh& mesh, std::span<const int> corners, int node_count,
                                  std::span<const ActingCondition> acting) {
   ThermalBoundary boundary;
@@ -253,6 +316,9 @@ ThermalBoundary thermal_boundary(const Mesh& mesh, std::span<const int> corners,
   std::vector<std::optional<double>> fixed(node_count);
   const HeightFilter filter(mesh);
 
+  for (const ActingCondition& a : acting)
+    if (const auto* source = std::get_if<HeatSource>(&a.condition->kind))
+      add_heat_source(mesh, corners, a.regions, source->value, boundary.heat);
   for (const ActingCondition& a : acting)
     for (const Surface* surface : a.surfaces) {
       if (const auto* f = std::get_if<FixedTemperature>(&a.condition->kind)) {

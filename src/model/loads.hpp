@@ -65,13 +65,23 @@ LevelLine uplift_line(const Uplift& uplift, double low, double high);
 void add_uplift(const Mesh& mesh, std::span<const int> corners, const Surface& surface, const Uplift& uplift,
                 const Where& where, std::span<double> force);
 
+/// A force at a point of the body, by the shape functions of the element that holds it (locate.hpp), so that force and
+/// moment are kept. Throws DeckError with `where` if the point is outside the body.
+void add_point_load(const Mesh& mesh, std::span<const int> corners, const PointLoad& load, const Where& where,
+                    std::span<double> force);
+
 /// Whether a condition is a load spread over its surfaces.
 bool is_surface_load(const Condition& condition);
-/// All gravity and surface loads among the acting conditions.
+/// All gravity, surface and point loads among the acting conditions.
 void add_loads(const Model& model, std::span<const int> corners, std::span<const ActingCondition> acting,
                std::span<double> force);
 
 // ---------------------------------------------------------------- heat
+
+/// Adds the integral of N_i q dV over the elements of the regions, W, to heat [nodes]; q, W/m^3, is asked at Gauss
+/// points: those of stress, and four of degree 2 in a tet4.
+void add_heat_source(const Mesh& mesh, std::span<const int> corners, std::span<const int> regions, const Value& value,
+                     std::span<double> heat);
 
 /// Exchange with the surroundings through one facet: heat leaving node i is sum_j matrix[i][j] (T_j - ambient), W.
 struct FilmFacet {
@@ -84,7 +94,7 @@ struct ThermalBoundary {
   std::vector<int> fixed_nodes;           ///< sorted
   std::vector<double> fixed_temperature;  ///< degC, parallel to fixed_nodes
   std::vector<FilmFacet> films;
-  std::vector<double> heat;  ///< [nodes] W into the body: flux and film times ambient
+  std::vector<double> heat;  ///< [nodes] W into the body: flux, heat source and film times ambient
 };
 /// Later fixed temperatures override earlier ones on shared nodes; `below` and `above` choose nodes by their z for
 /// fixed temperatures and facets by the z of their centroid for convection.

@@ -115,15 +115,17 @@ struct Uplift {
   std::optional<double> gallery;              ///< height z of the floor that the drains empty onto, m
   double density = 1000, gravity = 9.81;
 };
+struct PointLoad { Vec3<double> at, force; };                        ///< m, N
 struct FixedTemperature { Value value; std::optional<double> below, above; };  ///< nodes with z <= below, z >= above only
 struct Convection { Value ambient; double film = 0; std::optional<double> below, above; };  ///< facets by centroid z
 struct Flux { Value value; };                                       ///< W/m^2 into the body
+struct HeatSource { Value value; std::vector<std::string> regions; };  ///< W/m^3; no regions: the whole model
 struct InitialTemperature { Value value; std::vector<std::string> regions; };  ///< at the first stage where it acts
 struct TemperatureField { Value value; };                           ///< prescribed everywhere in a stage: degC
 
 struct Condition {
-  using Kind = std::variant<Fix, Displacement, Gravity, WaterPressure, Traction, Pressure, Uplift, FixedTemperature,
-                            Convection, Flux, InitialTemperature, TemperatureField>;
+  using Kind = std::variant<Fix, Displacement, Gravity, WaterPressure, Traction, Pressure, Uplift, PointLoad,
+                            FixedTemperature, Convection, Flux, HeatSource, InitialTemperature, TemperatureField>;
   std::string noun;                           ///< "fix", "gravity", ... as in the deck
   std::string name;                           ///< may be empty
   Where where;

@@ -180,9 +180,15 @@ Condition::Kind condition_kind(const Call& c) {
   if (noun == "traction") return Traction{f.value("x"), f.value("y"), f.value("z")};
   if (noun == "pressure") return Pressure{f.value("value")};
   if (noun == "uplift") return uplift(c);
+  if (noun == "point_load") {
+    const PointLoad load{f.vector("at"), {f.number("x"), f.number("y"), f.number("z")}};
+    if (norm(load.force) == 0) c.complain("", "has no force; give x, y or z");
+    return load;
+  }
   if (noun == "fixed_temperature") return FixedTemperature{f.value("value"), f.maybe("below"), f.maybe("above")};
   if (noun == "convection") return Convection{f.value("ambient"), f.number("film"), f.maybe("below"), f.maybe("above")};
   if (noun == "flux") return Flux{f.value("value")};
+  if (noun == "heat_source") return HeatSource{f.value("value"), f.texts("region")};
   if (noun == "initial_temperature") return InitialTemperature{f.value("value"), f.texts("region")};
   return TemperatureField{f.value("value")};
 }

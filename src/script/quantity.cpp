@@ -33,6 +33,7 @@ const Named named[] = {
     {dimension::conductivity, "W/(m*K)", "a conductivity, such as 2.6*W/(m*K)"},
     {dimension::film, "W/(m^2*K)", "a film coefficient, such as 15*W/(m^2*K)"},
     {dimension::heat_flux, "W/m^2", "a heat flux, such as 20*W/m^2"},
+    {dimension::heat_source, "W/m^3", "heat per volume and time, such as 300*W/m^3"},
     {dimension::heat_capacity, "J/(kg*K)", "a heat capacity, such as 960*J/(kg*K)"},
     {dimension::expansion, "1/K", "an expansion coefficient, such as 9e-6/K"},
     {Dimension{2, 1, -2, 0}, "J", "an energy or a moment, such as 1*kN*m"},

@@ -293,6 +293,16 @@ const std::vector<NounRule>& nouns() {
                 number("gravity", dimension::acceleration, range::positive, "strength of gravity").otherwise(9.81)},
        .example =
            R"(uplift { surface = "bottom", upstream_level = 55*m, downstream_level = 5*m, drain = 6*m, drain_efficiency = 0.5 })"},
+      {.name = "point_load",
+       .kind = NounKind::condition,
+       .naming = Naming::optional,
+       .doc = "A force at a point of the body, shared among the corners of the element there. A later stage's point load "
+              "replaces an earlier one at the same place. Stress next to it grows without bound as elements shrink.",
+       .keys = {key("at", Type::vector, "the point, in the body or on its surface").in(dimension::length).need(),
+                number("x", dimension::force, range::any, "force along x").otherwise(0),
+                number("y", dimension::force, range::any, "force along y").otherwise(0),
+                number("z", dimension::force, range::any, "force along z").otherwise(0)},
+       .example = R"(point_load "crane" { at = { 4*m, 6*m, 60*m }, z = -200*kN })"},
       {.name = "fixed_temperature",
        .kind = NounKind::condition,
        .naming = Naming::optional,
@@ -323,6 +333,14 @@ const std::vector<NounRule>& nouns() {
                                      "heat per area and time into the body, a number or a function of x, y, z")
                                    .need()},
        .example = R"(flux "sun" { surface = "top", value = 20*W/m^2 })"},
+      {.name = "heat_source",
+       .kind = NounKind::condition,
+       .naming = Naming::optional,
+       .doc = "Heat made inside regions, such as by hydrating cement; negative: taken out.",
+       .keys = {field("value", dimension::heat_source, "heat per volume and time, a number or a function of x, y, z")
+                    .need(),
+                key("region", Type::names, "regions; the whole model unless given")},
+       .example = R"(heat_source "hydration" { region = "lift", value = 300*W/m^3 })"},
       {.name = "initial_temperature",
        .kind = NounKind::condition,
        .naming = Naming::optional,
