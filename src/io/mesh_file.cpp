@@ -9,6 +9,7 @@
 
 #include "io/abaqus_file.hpp"
 #include "io/gmsh_file.hpp"
+#include "io/vtu_file.hpp"
 
 namespace ashlar {
 
@@ -250,8 +251,9 @@ MeshContent read_content(const std::string& path, Scanner& scanner) {
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension == ".msh") return read_gmsh(scanner);
   if (extension == ".inp") return read_abaqus(scanner);
+  if (extension == ".vtu") return read_vtu(scanner);
   scanner.fail_file("the extension '" + extension +
-                    "' of a mesh file is not known; valid: .msh (Gmsh), .inp (Abaqus, CalculiX)");
+                    "' of a mesh file is not known; valid: .msh (Gmsh), .inp (Abaqus, CalculiX), .vtu (VTK)");
 }
 
 }  // namespace

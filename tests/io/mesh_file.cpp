@@ -479,5 +479,99 @@ TEST(AbaqusFile, every_truncation_and_every_damaged_byte_gives_a_complaint_or_a_
     }
 }
 
+TEST(VtuFile, every_way_to_store_arrays_gives_the_same_mesh) {
+  struct Case {
+    const char *shape, *file;
+    double tolerance;  // VTK writes 11 digits into ASCII files
+  };
+  for (const Case& c : {Case{"hex", "ascii", 1e-11}, {"hex", "raw", 0}, {"wedge", "base64", 0}, {"tet", "inline", 0}}) {
+    SCOPED_TRACE(c.file);
+    Mesh expected = read_mesh(data_file("column_" + std::string(c.shape) + "_41.msh"), {});
+    expected.region_names = {"region_3", "region_7"};  // the numbers of the groups
+    expected.surfaces.resize(3);
+    for (int s = 0; s < 3; ++s) expected.surfaces[s].name = "surface_" + std::to_string(s + 1);
+    expect_same(expected, read_mesh(data_file("column_" + std::string(c.shape) + "_" + c.file + ".vtu"), {}),
+                c.tolerance);
+  }
+}
+
+/// Two wedges that fill a unit cube, and the half of its bottom below the first.
+const std::string two_wedges = R"(<?xml version="1.0"?>
+<!-- by hand -->
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">
+<UnstructuredGrid>
+<Piece NumberOfPoints="8" NumberOfCells="3">
+<CellData><DataArray type="Int32" Name="material" format="ascii">4 9 2</DataArray></CellData>
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+0 0 0 1 0 0 1 1 0 0 1 0
+0 0 1 1 0 1 1 1 1 0 1 1
+</DataArray></Points>
+<Cells>
+<DataArray type="Int64" Name="connectivity" format="ascii">
+0 1 2 4 5 6 0 2 3 4 6 7 0 1 2
+</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">6 12 15</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">13 13 5</DataArray>
+</Cells>
+</Piece>
+</UnstructuredGrid>
+</VTKFile>
+)";
+
+TEST(VtuFile, wedges_of_either_order_are_turned_upright_but_not_mixed) {
+  const std::string other = replaced(two_wedges, "0 1 2 4 5 6 0 2 3 4 6 7", "4 5 6 0 1 2 4 6 7 0 2 3");
+  for (const auto& text : {two_wedges, other}) {
+    const Mesh mesh = read_text(text, ".vtu");
+    EXPECT_EQ(mesh.region_names, (std::vector<std::string>{"region_4", "region_9"}));
+    EXPECT_EQ(region_volume(mesh, "region_4"), 0.5);
+    EXPECT_EQ(region_volume(mesh, "region_9"), 0.5);
+    EXPECT_EQ(surface_area(mesh, "surface_2").z, -0.5);
+  }
+  EXPECT_EQ(complaint(replaced(two_wedges, "0 2 3 4 6 7", "4 6 7 0 2 3"), ".vtu"),
+            "dam.lua:3: mesh:12: wedges 0 and 1 have opposite node orders; give all wedges the same order");
+}
+
+TEST(VtuFile, complaints_name_the_line_and_the_remedy) {
+  auto complain = [](const std::string& from, const std::string& to) {
+    return complaint(replaced(two_wedges, from, to), ".vtu");
+  };
+  EXPECT_EQ(complain("type=\"UnstructuredGrid\"", "type=\"ImageData\""),
+            "dam.lua:3: mesh:3: the VTK file holds 'ImageData'; valid: UnstructuredGrid (.vtu)");
+  EXPECT_EQ(complain("version=\"0.1\"", "compressor=\"vtkZLibDataCompressor\"").substr(0, 52),
+            "dam.lua:3: mesh:3: the file is compressed; save it w");
+  EXPECT_EQ(complain("0 1 2 4 5 6", "0 1 2 4 5 8"),
+            "dam.lua:3: mesh:12: array 'connectivity' gives cell 0 the point 8; valid: 0 to 7");
+  EXPECT_EQ(complain("6 12 15", "5 12 15"),
+            "dam.lua:3: mesh:15: array 'offsets' gives cell 0 another number of points than its type has (6)");
+  EXPECT_EQ(complain("13 13 5", "13 26 5").substr(0, 73),
+            "dam.lua:3: mesh:16: array 'types' has cell type 26 of second order; only ");
+  EXPECT_EQ(complain("4 9 2", "4 9"), "dam.lua:3: mesh:6: array 'material' has 2 entries for 3 cells");
+  EXPECT_EQ(complain("4 9 2", "4 9.5 2"), "dam.lua:3: mesh:6: array 'material': expected a number, found '9.5'");
+  EXPECT_EQ(complain("1 1 1 0 1 1\n", "1 nan 1 0 1 1\n"),
+            "dam.lua:3: mesh:7: array '' has a coordinate that is not finite, at point 6");
+  EXPECT_EQ(complain("NumberOfPoints=\"8\"", "NumberOfPoints=\"9\""),
+            "dam.lua:3: mesh:5: NumberOfPoints is '9', but the arrays hold 8");
+  EXPECT_EQ(complain("</Cells>", "</Cell>"), "dam.lua:3: mesh:17: </Cell> closes nothing that is open");
+  EXPECT_EQ(complaint(two_wedges, ".stl"),
+            "dam.lua:3: mesh: the extension '.stl' of a mesh file is not known; valid: .msh (Gmsh), .inp (Abaqus, "
+            "CalculiX), .vtu (VTK)");
+}
+
+TEST(VtuFile, every_truncation_and_every_damaged_byte_gives_a_complaint_or_a_mesh) {
+  for (const char* name : {"column_hex_raw.vtu", "column_wedge_base64.vtu", "column_tet_inline.vtu"}) {
+    const std::string column = text_of(data_file(name));
+    const auto end =
+        column.rfind("</AppendedData>") == std::string::npos ? column.size() : column.rfind("</AppendedData>");
+    for (std::size_t length = 0; length + 4 < end; length += 29)
+      EXPECT_NE(complaint(column.substr(0, length), ".vtu"), "no complaint") << name << " " << length;
+    for (std::size_t i = 0; i < column.size(); i += 31)
+      for (const char c : {'\x00', '\xff', '9', '<', '"'}) {
+        std::string damaged = column;
+        damaged[i] = c;
+        complaint(damaged, ".vtu");  // anything but DeckError ends the test program
+      }
+  }
+}
+
 }  // namespace
 }  // namespace ashlar
