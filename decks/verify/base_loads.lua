@@ -1,6 +1,6 @@
 -- Case balance: a block on its base under silt, uplift with drains and a crane: reactions and moments about the origin.
 -- Source: by hand. Silt 5.5 kN/m^3 x 10^2 / 2 at 10/3 m; uplift by the diagram of EM 1110-2-2200: straight line at the
---         drains 17 - 14 x 2/14 = 15 m, level there 3 + 0.4 (15 - 3) = 7.8 m, so (17 + 7.8)/2 x 2 + (7.8 + 3)/2 x 12 m^2.
+--         drains 17 - 14 x 2/14 = 15 m, level there 3 + 0.4 (15 - 3) = 7.8 m: two trapezoids, 2 m and 12 m long.
 -- Accept: loads 1e-12, reactions 1e-5.
 -- Runs: elements=hex8 | elements=wedge6 | elements=tet4
 local args = deck.args { elements = { default = "hex8", doc = "hex8, wedge6 or tet4" } }

@@ -1,7 +1,7 @@
--- Case heat source: a wall of 2 m that makes 300 W/m^3 in itself, both faces held at 10 degC; then its right half stops.
+-- Case heat source: a wall of 2 m that makes 300 W/m^3, its faces held at 10 degC; then its right half stops.
 -- Source: closed form, T = 10 + q x (L - x) / (2 k) with q all over; with q on the left half only,
 --         T(L/2) = T(L/4) = 10 + q L^2 / (16 k)  (conduction in one dimension, integrated twice).
--- Accept: 1e-6 K on hex8, exact at nodes with consistent loads; 0.5 K on wedge6 and tet4 with the half wall, where their
+-- Accept: 1e-6 K on hex8, exact at nodes with consistent loads; 0.5 K on wedge6 and tet4 with the half wall, whose
 --         unsymmetric split shares the source unevenly between the nodes of the middle plane.
 -- Runs: elements=hex8 | elements=wedge6 | elements=tet4
 local args = deck.args { elements = { default = "hex8", doc = "hex8, wedge6 or tet4" } }

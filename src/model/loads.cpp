@@ -207,7 +207,8 @@ void add_pressure(const Mesh& mesh, std::span<const int> corners, const Surface&
 
 LevelLine uplift_line(const Uplift& uplift, double low, double high) {
   const double heel = uplift.heel.value_or(low), toe = uplift.toe.value_or(high);
-  if (heel == toe) throw std::invalid_argument("'heel' and 'toe' are the same place");
+  if (heel == toe)
+    throw std::invalid_argument("'heel' and 'toe' are the same place; on an upright face use water_pressure");
   LevelLine line{{heel, uplift.upstream_level}};
   if (uplift.drain) {
     const double share = (*uplift.drain - heel) / (toe - heel);

@@ -106,7 +106,8 @@ TEST(Uplift, a_drain_outside_the_base_is_refused_with_the_line_of_the_deck) {
       "dam.lua:9: uplift on surface 'bottom': the drain at x = 60 m is not between the heel at 0 m and the toe at "
       "48 m");
   EXPECT_EQ(message({55, 5, 7, 7, {}, 0, {}, 1000, 9.81}),
-            "dam.lua:9: uplift on surface 'bottom': 'heel' and 'toe' are the same place");
+            "dam.lua:9: uplift on surface 'bottom': 'heel' and 'toe' are the same place; on an upright face use "
+            "water_pressure");
 }
 
 TEST_P(UpliftOnShape, an_even_pressure_on_all_faces_is_in_balance) {
