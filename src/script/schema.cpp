@@ -176,8 +176,13 @@ const std::vector<NounRule>& nouns() {
        .example = R"(box "column" { from = {0,0,0}, to = {1*m,1*m,10*m}, cells = {1,1,10} })"},
       {.name = "import_mesh",
        .naming = Naming::optional,
-       .doc = "Reads a Gmsh file (.msh 2.2 or 4.1, ASCII: hex8, wedge6, tet4). Physical volumes become regions, "
-              "physical surfaces become surfaces.",
+       .doc = "Reads a mesh file of hex8, wedge6 and tet4 elements by its extension. Gmsh (.msh 2.2 or 4.1, ASCII or "
+              "binary): physical volumes become regions, physical surfaces become surfaces. Abaqus or CalculiX (.inp: "
+              "C3D8, C3D8I, C3D8R, C3D6, C3D4; one flat file): element sets of *SOLID SECTION become regions (without "
+              "sections, sets of *ELSET or *ELEMENT that hold every element once); *SURFACE, sets of shell facets and "
+              "node sets with whole faces become surfaces; materials, loads, steps and all other keywords are ignored. "
+              "VTK (.vtu, not compressed): the integer cell array region, material or gmsh:physical numbers regions "
+              "(region_1, ...) and the surfaces of its triangles and quads (surface_1, ...).",
        .keys = {key("file", Type::text, "path relative to the deck").need(),
                 number("unit", dimension::length, range::positive, "length that 1 in the file stands for").otherwise(1),
                 key("regions", Type::renames, "new names of regions: { old = \"new\" }"),
