@@ -13,7 +13,8 @@ struct Location {
   int node = -1;                ///< the mesh node at this place, or -1
 };
 
-/// The element that contains `point`, by Newton's method on the isoparametric map; empty if the point is outside the mesh.
+/// The element that contains `point`, by Newton's method on the isoparametric map; empty if the point is outside the
+/// mesh.
 std::optional<Location> locate(const Mesh& mesh, const Vec3<double>& point);
 
 /// Mesh node nearest to a point.
