@@ -20,8 +20,8 @@ double adaptive_damping(const RelaxationMeasure& m) {
   return std::min(2 * std::sqrt(m.curvature / m.motion), most_damping);
 }
 
-double force_ratio(const RelaxationMeasure& m, double thermal_load) {
-  const double scale = std::max({m.load, m.reaction, thermal_load});
+double force_ratio(const RelaxationMeasure& m, double other) {
+  const double scale = std::max({m.load, m.reaction, other});
   if (scale > 0) return m.unbalanced / scale;
   return m.unbalanced > 0 ? 1 : 0;
 }
@@ -50,7 +50,7 @@ double thermal_load_norm(Backend& backend) {
   return std::sqrt(sum);
 }
 
-Equilibrium relax(Backend& backend, const Relaxation& relaxation, double thermal_load, const RelaxationWatch& watch) {
+Equilibrium relax(Backend& backend, const Relaxation& relaxation, double scale, const RelaxationWatch& watch) {
   backend.write(Field::velocity, std::vector<double>(backend.size(Field::velocity), 0.0));
   Controls controls;
   controls.local_damping = local_damping(relaxation);
@@ -66,7 +66,7 @@ Equilibrium relax(Backend& backend, const Relaxation& relaxation, double thermal
     if (step % sum_interval == 0) {
       const RelaxationMeasure m = backend.relaxation_sums();
       result.steps = step;
-      result.ratio = force_ratio(m, thermal_load);
+      result.ratio = force_ratio(m, scale);
       if (!std::isfinite(m.kinetic) || !std::isfinite(result.ratio)) {
         result.stop_reason = "not finite";
         return result;

@@ -20,8 +20,8 @@ struct Equilibrium {
 using RelaxationWatch = std::function<bool(long steps, double ratio)>;
 
 /// Steps until load and internal force balance, from the displacement in the backend; velocity starts at zero.
-/// @param thermal_load norm of the internal force that the temperature alone makes, N: a scale for the ratio
-Equilibrium relax(Backend& backend, const Relaxation& relaxation, double thermal_load, const RelaxationWatch& watch);
+/// @param scale force beside loads and reactions that the ratio is taken of, N: that of the temperature alone, say
+Equilibrium relax(Backend& backend, const Relaxation& relaxation, double scale, const RelaxationWatch& watch);
 
 /// Local damping coefficient that the relaxation uses: 0 unless its damping is local.
 double local_damping(const Relaxation& relaxation);

@@ -79,6 +79,7 @@ class Run {
     const auto start = Clock::now();
     const std::vector<double> seconds_before = phase_seconds();
     outcome_ = {};
+    out_of_balance_ = 0;
     outcome_.name = stage().name;
     outcome_.kind = kind_of(stage());
     observer_.stage_begins(stage_ + 1, stage().name, outcome_.kind);
@@ -170,8 +171,9 @@ class Run {
         const bool stop_wanted = watch && watch(step, ratio);
         return observer_.interrupted() || stop_wanted;
       };
-      const long iterations = relaxation.search && search->applies() ? search->run(relaxation, thermal_load_, look) : 0;
-      Equilibrium e = relax(*problem_.backend, relaxation, thermal_load_, look);
+      const double scale = force_scale();
+      const long iterations = relaxation.search && search->applies() ? search->run(relaxation, scale, look) : 0;
+      Equilibrium e = relax(*problem_.backend, relaxation, scale, look);
       e.steps += iterations;
       result_.interrupted = result_.interrupted || (e.interrupted && observer_.interrupted());
       return e;
@@ -181,6 +183,15 @@ class Run {
       observer_.crack(stage().name, event);
     };
     return links;
+  }
+
+  /// What forces of this stage are measured by beside loads and reactions: the load of the temperature, and a small
+  /// share of what was out of balance before, which alone remains where a body comes to rest without load.
+  double force_scale() {
+    constexpr double share = 1e-3;
+    evaluate_force(*problem_.backend);
+    out_of_balance_ = std::max(out_of_balance_, problem_.backend->relaxation_sums().unbalanced);
+    return std::max(thermal_load_, share * out_of_balance_);
   }
 
   void tell(long step, double ratio, double target) {
@@ -305,6 +316,7 @@ class Run {
                                ///< later stages go on from there
   std::map<std::string, std::vector<double>> temperatures_at_end_;
   double thermal_load_ = 0;
+  double out_of_balance_ = 0;  ///< N, largest at the start of a relaxation of this stage
   int increment_ = 0, increments_ = 0;
   double relaxed_ = 0, cracked_fraction_ = 0;
   Clock::time_point told_{};
