@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "model/check_mesh.hpp"
 #include "physics/shapes/hex8.hpp"
 #include "physics/shapes/tet4.hpp"
 #include "physics/shapes/wedge6.hpp"
@@ -48,14 +49,6 @@ void each_element(const Problem& p, std::span<const double> gauss, Work work) {
       work(p.discretisation.source_element[e], gauss_values(batch, e, gauss));
 }
 
-double volume(const Mesh& mesh, int element) {
-  // Divergence theorem over the faces: exact for planar faces, and a weight only.
-  double v = 0;
-  for (int face = 0; face < face_count(mesh.shapes[element]); ++face)
-    v += dot(mesh.facet_centroid({element, face}) - mesh.centroid(element), mesh.facet_area({element, face})) / 3;
-  return v;
-}
-
 }  // namespace
 
 std::vector<double> element_stress(const Problem& p, std::span<const double> gauss) {
@@ -76,7 +69,7 @@ std::vector<double> nodal_stress(const Problem& p, std::span<const double> gauss
   std::vector<double> stress(6 * nodes), weight(nodes);
   each_element(p, gauss, [&](int element, const Eigen::MatrixXd& values) {
     const Eigen::MatrixXd corner = extrapolation_of(mesh.shapes[element]) * values;
-    const double w = volume(mesh, element);
+    const double w = element_volume(mesh, element);
     for (int k = 0; k < corner.rows(); ++k) {
       const auto n = static_cast<std::size_t>(p.blocks.corners[mesh.first_corner[element] + k]);
       if (region[n] != mesh.regions[element]) continue;
