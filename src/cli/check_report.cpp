@@ -185,6 +185,7 @@ std::string check_report(const Model& model) {
   describe_contacts(page, model, blocks, sums);
   describe_plan(page, model);
   for (const std::string& line : estimate_effort(model, blocks, contacts)) page.line("estimate", line);
+  for (const std::string& line : model.notes) page.line("note", line);
   for (const std::string& line : left_out(model)) page.line("left out", line);
   return page.lines();
 }

@@ -94,6 +94,7 @@ std::string summary(const Model& model, const RunResult& result, const RunFacts&
   page.line("memory", text("%.0f MB at most", peak_memory() / 1e6));
   for (const ExpectOutcome& outcome : facts.expects)
     page.line("expect", (outcome.passed ? "ok      " : "FAILED  ") + outcome.name + ": " + outcome.message);
+  for (const std::string& line : model.notes) page.line("note", line);
   for (const std::string& line : left_out(model)) page.line("left out", line);
   for (const std::string& file : facts.files) page.line("files", facts.folder + "/" + file);
   return page.lines();

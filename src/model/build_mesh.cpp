@@ -3,6 +3,7 @@
 #include "model/check_mesh.hpp"
 #include "model/mesher/extrude.hpp"
 #include "model/mesher/merge_points.hpp"
+#include "model/mesher/solid.hpp"
 #include "model/model.hpp"
 #include "model/place_text.hpp"
 #include "model/select_surface.hpp"
@@ -17,9 +18,10 @@ class Assembly {
   explicit Assembly(Model& model) : model_(model), mesh_(model.mesh) {}
 
   void run() {
-    if (model_.extrudes.empty() && model_.boxes.empty() && model_.imports.empty())
-      throw DeckError(model_.where, "the model has no geometry; declare an extrude, a box or an import_mesh");
+    if (model_.extrudes.empty() && model_.boxes.empty() && model_.solids.empty() && model_.imports.empty())
+      throw DeckError(model_.where, "the model has no geometry; declare an extrude, a box, a solid or an import_mesh");
     mesh_ = Mesh{};
+    model_.notes.clear();
     make_sources();
     merge();
     for (std::size_t s = 0; s < sources_.size(); ++s)
@@ -43,6 +45,15 @@ class Assembly {
       names_.push_back(box.name);
       declared_.push_back(box.where);
     }
+    std::vector<std::string> lines;
+    for (const auto& solid : model_.solids) try {
+        sources_.push_back(mesh_solid(solid, model_.notes));
+        names_.push_back(solid.name);
+        declared_.push_back(solid.where);
+      } catch (const DeckError& error) {
+        lines.insert(lines.end(), error.lines().begin(), error.lines().end());
+      }
+    if (!lines.empty()) throw DeckError(lines);
   }
 
   void merge() {
@@ -145,10 +156,10 @@ class Assembly {
 
   Model& model_;
   Mesh& mesh_;
-  std::vector<MeshedSource> sources_;  ///< extrudes, then boxes
+  std::vector<MeshedSource> sources_;  ///< extrudes, boxes, solids
   std::vector<std::string> names_;     ///< [sources_]
   std::vector<Where> declared_;        ///< [sources_]
-  std::vector<int> first_point_;       ///< of extrudes, boxes, imports; one more at the end
+  std::vector<int> first_point_;       ///< of the sources, then of imports; one more at the end
   MergedPoints merged_;
   std::vector<Where> region_declared_;  ///< [regions]
   Complaints complaints_;

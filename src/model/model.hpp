@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/tensor.hpp"
 #include "model/mesh.hpp"
+#include "model/mesher/closed_surface.hpp"
 
 /// The model: what the deck says, on the host, immutable during a run. SI units, temperatures in degrees Celsius.
 /// Filled by script/, or by hand in tests. Every declaration carries the deck line for messages.
@@ -50,6 +51,17 @@ struct Box {
   std::array<double, 3> from{}, to{};
   std::array<int, 3> cells{};                 ///< all >= 1 after reading (script derives them from `size`)
   Shape shape = Shape::hex8;
+};
+
+/// `solid "abutment" { file = "abutment.stl", size = 5*m }`: tetrahedra inside a closed surface, which is read with the deck.
+struct Solid {
+  std::string name;
+  Where where;
+  std::string file;
+  FacetSurface surface;                       ///< as the file gives it, in m
+  double size = 0;                            ///< target element edge at the surface, m
+  double grow = 1;                            ///< growth from one element to the next, away from the surface; 1: uniform
+  double feature_angle = 0.3490658503988659;  ///< rad; edges where facets meet at more stay in the mesh
 };
 
 /// `import_mesh { file = "dam.msh", regions = {...rename} }`: the mesh itself is read by io/ when the deck is read.
@@ -219,6 +231,7 @@ struct Model {
   double reference_temperature = 0;           ///< degC, no thermal strain at this temperature; initial temperature unless given
   std::vector<Extrude> extrudes;
   std::vector<Box> boxes;
+  std::vector<Solid> solids;
   std::vector<ImportedMesh> imports;
   std::vector<SurfaceChoice> surfaces;
   std::vector<Material> materials;
@@ -229,9 +242,10 @@ struct Model {
   std::vector<Output> outputs;
   std::vector<Picture> pictures;
   Mesh mesh;                                  ///< whole model, filled by build_mesh
+  std::vector<std::string> notes;             ///< what build_mesh did that the deck does not say
 };
 
-/// Meshes every extrude and box, joins imported meshes, resolves surfaces into model.mesh.surfaces.
+/// Meshes every extrude, box and solid, joins imported meshes, resolves surfaces into model.mesh.surfaces.
 /// Nodes of different sources that coincide are merged (conforming extrudes, touching boxes).
 /// Throws DeckError with the declaration's line: empty surface, unknown region, bad elements.
 void build_mesh(Model& model);

@@ -14,7 +14,9 @@ namespace {
 constexpr const char* reader_key = "ashlar deck reader";
 
 /// Nouns whose names become regions share one family.
-std::string family(const std::string& noun) { return noun == "box" || noun == "extrude" ? "region" : noun; }
+std::string family(const std::string& noun) {
+  return noun == "box" || noun == "extrude" || noun == "solid" ? "region" : noun;
+}
 
 template <class Map>
 std::vector<std::string> keys_of(const Map& map) {
@@ -132,8 +134,8 @@ int DeckReader::declare(const NounRule& noun, const std::string& name, int index
   }
   int number = -1;
   if (const auto fields = read_fields(sandbox, noun, name, index)) {
-    if (noun.name == "import_mesh")
-      imports_.emplace_back(name, *fields);
+    if (noun.name == "import_mesh" || noun.name == "solid")
+      files_.push_back({noun.name, name, *fields});
     else
       number = add_to_deck(deck_, solves_, noun, name, *fields);
   }
@@ -320,22 +322,35 @@ void DeckReader::finish() {
   lua_setfield(L, LUA_REGISTRYINDEX, reader_key);
 }
 
-void DeckReader::read_meshes() {
+void DeckReader::read_files() {
   Complaints& complaints = deck_.sandbox->complaints;
-  for (const auto& [name, fields] : imports_) {
+  for (const auto& [noun, name, fields] : files_) {
     const std::filesystem::path given = fields.text("file");
     const Where where = fields.at("file");
     const std::string path = (std::filesystem::path(where.file).parent_path() / given).string();
     std::error_code ignored;
     if (given.is_absolute() || !std::filesystem::is_regular_file(path, ignored)) {
       complaints.add(
-          where, title("import_mesh", name) + ": " +
+          where, title(noun, name) + ": " +
                      (given.is_absolute() ? "'" + given.string() + "' is an absolute path; give it relative to the deck"
-                                          : "there is no mesh file '" + path + "' (paths are relative to the deck)"));
+                                          : std::string("there is no ") + (noun == "solid" ? "surface" : "mesh") +
+                                                " file '" + path + "' (paths are relative to the deck)"));
       continue;
     }
     deck_.files.push_back(path);
     try {
+      if (noun == "solid") {
+        Solid solid{name,
+                    fields.where,
+                    path,
+                    read_facets(path, where),
+                    fields.number("size"),
+                    fields.number("grow"),
+                    fields.number("feature_angle")};
+        for (auto& point : solid.surface.points) point = fields.number("unit") * point;
+        deck_.model.solids.push_back(std::move(solid));
+        continue;
+      }
       ImportedMesh import{name, fields.where, path, read_mesh(path, where)};
       for (auto& point : import.mesh.points) point = fields.number("unit") * point;
       const auto rename = [&](const char* key, auto& items, auto name_of) {
@@ -395,7 +410,7 @@ Deck read_deck(const std::string& path, const std::map<std::string, std::string>
   raise_first(deck.sandbox->complaints);
   const auto sources = deck.sandbox->sources();
   deck.files.insert(deck.files.begin(), sources.begin(), sources.end());
-  reader.read_meshes();
+  reader.read_files();
   raise_first(deck.sandbox->complaints);
   return deck;
 }

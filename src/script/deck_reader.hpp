@@ -14,8 +14,8 @@ class DeckReader {
   DeckReader(Deck& deck, const std::map<std::string, std::string>& settings);
   /// Reports what is left over at the deck's end: settings that no argument took, names without a table.
   void finish();
-  /// Reads the files of import_mesh.
-  void read_meshes();
+  /// Reads the files of import_mesh and solid.
+  void read_files();
 
  private:
   static int noun_called(lua_State* L);
@@ -36,7 +36,11 @@ class DeckReader {
   std::map<std::pair<std::string, std::string>, Where> declared_;  ///< noun family and name
   std::map<int, std::pair<std::string, Where>> open_;              ///< named calls that wait for their table
   int next_open_ = 1;
-  std::vector<std::pair<std::string, Fields>> imports_;  ///< name and table of import_mesh calls
+  struct FileCall {
+    std::string noun, name;
+    Fields fields;
+  };
+  std::vector<FileCall> files_;  ///< calls of nouns that read a file once the deck is right
   std::vector<Solve> solves_;
 };
 

@@ -174,6 +174,25 @@ const std::vector<NounRule>& nouns() {
                 number("size", dimension::length, range::positive, "element edge to aim at; give this or `cells`"),
                 elements_key()},
        .example = R"(box "column" { from = {0,0,0}, to = {1*m,1*m,10*m}, cells = {1,1,10} })"},
+      {.name = "solid",
+       .doc =
+           "A body of tet4 elements inside a closed surface, read from a file of facets by its extension: .stl (text "
+           "or "
+           "binary), .off, .obj, .ply. Its name becomes a region. The surface is one shell without cavities; one that "
+           "is open, crosses itself, or has facets that are turned over, given twice or without area is refused with "
+           "their numbers and places. A solid shares no nodes with a body that it touches: a `joint` ties them.",
+       .keys =
+           {key("file", Type::text, "path relative to the deck").need(),
+            number("size", dimension::length, range::positive, "element edge to aim at").need(),
+            number("grow", dimension::none, Range{1, 2},
+                   "growth from one element to the next, from `size` at the surface inwards: 1 is uniform")
+                .otherwise(1),
+            number("feature_angle", dimension::none, Range{0, 3.1416, true},
+                   "edges where facets meet at more than this angle stay as they are, with their corners; smaller "
+                   "ones are rounded off by at most a twentieth of `size`; 20*deg unless given")
+                .otherwise(0.3490658503988659),
+            number("unit", dimension::length, range::positive, "length that 1 in the file stands for").otherwise(1)},
+       .example = R"(solid "abutment" { file = "abutment.stl", size = 5*m, unit = mm })"},
       {.name = "import_mesh",
        .naming = Naming::optional,
        .doc = "Reads a mesh file of hex8, wedge6 and tet4 elements by its extension. Gmsh (.msh 2.2 or 4.1, ASCII or "

@@ -27,6 +27,9 @@ TEST(Schema, EveryExampleIsADeckThatReads) {
   for (const auto& noun : nouns()) {
     const test::DeckFolder folder;
     std::filesystem::copy_file(ASHLAR_TEST_DATA "/dam_D0_r1_ny1.msh", folder.path() + "dam.msh");
+    folder.write("abutment.stl",
+                 "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+                 "0\nendloop\nendfacet\nendsolid\n");
     // Names that an example refers to.
     const std::string around = noun.name == "expect" ? R"(
       stage "gravity" { solve = static {} }

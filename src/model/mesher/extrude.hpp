@@ -2,6 +2,7 @@
 #include <variant>
 #include <vector>
 
+#include "model/mesher/closed_surface.hpp"
 #include "model/mesher/lattice.hpp"
 #include "model/mesher/prisms.hpp"
 #include "model/mesher/section_graph.hpp"
@@ -32,8 +33,8 @@ SectionCells fill_free_section(const SectionGraph& graph, int section, const Edg
 /// where they run side by side; the finest `size` (or, before that, the most `layers`) decides.
 std::vector<std::vector<double>> layer_planes(const SectionGraph& graph);
 
-/// What an extrude or a box is made as, before nodes are merged and cells are split.
-using MeshedSource = std::variant<Lattice, Prisms>;
+/// What an extrude, a box or a solid is made as, before nodes are merged and cells are split.
+using MeshedSource = std::variant<Lattice, Prisms, Tetrahedra>;
 
 /// All extrudes, meshed so that they conform where their sections share edges; in the given order.
 std::vector<MeshedSource> mesh_extrudes(const std::vector<Extrude>& extrudes);
