@@ -11,12 +11,19 @@ void Backend::run(Phase phase, const Controls& controls) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+void Backend::relax(const Controls& controls, int steps) {
+  for (int i = 0; i < steps; ++i)
+    for (const Phase phase : {Phase::block_force, Phase::gather_force, Phase::spring_force, Phase::move_nodes})
+      run(phase, controls);
+}
+
 const char* phase_name(Phase phase) {
   switch (phase) {
     case Phase::block_force: return "block_force";
     case Phase::gather_force: return "gather_force";
     case Phase::spring_force: return "spring_force";
     case Phase::move_nodes: return "move_nodes";
+    case Phase::relaxation_steps: return "relaxation_steps";
     case Phase::keep_force: return "keep_force";
     case Phase::relaxation_sums: return "relaxation_sums";
     case Phase::stiffness_bound: return "stiffness_bound";

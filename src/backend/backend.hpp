@@ -21,6 +21,7 @@ enum class Phase : std::uint8_t {
   gather_force,          ///< corner forces to nodes
   spring_force,          ///< contact springs, added to nodes
   move_nodes,            ///< velocity, then displacement
+  relaxation_steps,      ///< the four above, Controls::steps times, as machines do that fuse them
   keep_force,            ///< remember the force for the next stiffness estimate
   relaxation_sums,       ///< partial sums behind Backend::relaxation_sums
   stiffness_bound,       ///< Gershgorin bound of the blocks' stiffness at every node, into Field::stiffness
@@ -86,6 +87,7 @@ struct Controls {
   double stiffness_damping = 0;  ///< motions: Rayleigh, s
   double search_length = 0;      ///< conjugate gradients: alpha
   double search_keep = 0;        ///< conjugate gradients: beta
+  int steps = 1;                 ///< relaxation_steps
 };
 
 struct RelaxationMeasure {
@@ -157,6 +159,8 @@ class Backend {
   void run(Phase phase, const Controls& controls = {});
   /// Seconds spent in a phase since the backend was made.
   double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
+  /// Steps of relaxation: block_force, gather_force, spring_force, move_nodes. Machines may fuse them; the bits stay.
+  virtual void relax(const Controls& controls, int steps);
   virtual RelaxationMeasure relaxation_sums() = 0;
   virtual HeatMeasure heat_sums() = 0;
   /// After a force at the displacement that a step of `step_before` seconds led to.

@@ -4,7 +4,6 @@
 
 #include "backend/backend.hpp"
 #include "kernels/balance.hpp"
-#include "kernels/relaxation_sums.hpp"
 
 namespace ashlar {
 
@@ -20,7 +19,6 @@ class BalanceLane {
     node_.assign(a.member);
     centre_.assign(std::vector<Real>(a.centre.begin(), a.centre.end()));
     coarse_.resize(rigid_modes * (a.first.size() - 1));
-    chunk_sums_.resize(balance_sum_count * ((a.aggregate.size() + chunk_nodes - 1) / chunk_nodes));
   }
   BalanceView<Real> view(const BodyView<Real>& body, const GroupView<Real>& groups) {
     return {.body = body,
@@ -36,12 +34,7 @@ class BalanceLane {
             .centre = centre_.data()};
   }
   BalanceMeasure sums(Exec& exec, const BalanceView<Real>& view) {
-    const int chunks = static_cast<int>(chunk_sums_.size() / balance_sum_count);
-    exec.for_each(chunks, BalanceSums<Real>{view, chunk_nodes, chunk_sums_.data()});
-    std::vector<double> parts(chunk_sums_.size());
-    chunk_sums_.download(parts);
-    double s[balance_sum_count] = {};
-    for (std::size_t i = 0; i < parts.size(); ++i) s[i % balance_sum_count] += parts[i];
+    const auto s = exec.template sum<balance_sum_count>(view.body.nodes.node_count, BalanceSums<Real>{view});
     return {std::sqrt(s[balance_residual]), s[balance_preconditioned], s[balance_along]};
   }
   std::vector<double> resultants(Exec& exec, const BalanceView<Real>& view) {
@@ -60,7 +53,7 @@ class BalanceLane {
   using Array = typename Exec::template Array<T>;
   Array<Real> residual_, preconditioned_, direction_, product_, centre_;
   Array<int> aggregate_, first_, node_;
-  Array<double> coarse_, chunk_sums_;
+  Array<double> coarse_;
 };
 
 }  // namespace ashlar

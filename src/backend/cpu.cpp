@@ -1,9 +1,11 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 
 #include "backend/pack.hpp"
 #include "backend/phases.hpp"
+#include "kernels/sum.hpp"
 
 namespace ashlar {
 
@@ -15,7 +17,7 @@ class CpuExec {
   template <class T>
   class Array {
    public:
-    void resize(std::size_t n) { values_.assign(n, T(0)); }
+    void resize(std::size_t n) { values_.assign(n, T()); }
     void assign(const std::vector<T>& values) { values_ = values; }
     void upload(const std::vector<T>& values) { std::copy(values.begin(), values.end(), values_.begin()); }
     void download(std::vector<T>& values) const { values = values_; }
@@ -26,13 +28,28 @@ class CpuExec {
     std::vector<T> values_;
   };
 
+  static constexpr bool marches = false;
+
   explicit CpuExec(int threads) : threads_(threads > 0 ? threads : omp_get_num_procs()) {}
   std::string name() const { return "cpu, " + std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads"); }
 
+  void set_patches(const Discretisation&) {}
+
+  /// @param worth fewer than so many are left to one thread
   template <class Kernel>
-  void for_each(int n, const Kernel& kernel) const {
-#pragma omp parallel for schedule(static) num_threads(threads_) if (n >= 1024)
+  void for_each(int n, const Kernel& kernel, int worth = 1024) const {
+#pragma omp parallel for schedule(static) num_threads(threads_) if (n >= worth)
     for (int i = 0; i < n; ++i) kernel(i);
+  }
+
+  /// Sums of `terms(item, values)` over n items, in the order of kernels/sum.hpp.
+  template <int count, class Terms>
+  std::array<double, count> sum(int n, const Terms& terms) const {
+    std::vector<double> sums = sum_chunks<count>(n, terms);
+    while (sums.size() > count) sums = sum_chunks<count>(static_cast<int>(sums.size()) / count, ChunkTerms<count>{sums.data()});
+    std::array<double, count> total{};
+    std::copy(sums.begin(), sums.end(), total.begin());
+    return total;
   }
 
   /// Patch by patch: coordinates and displacements staged in cache, elements in vector packs, sums element by element.
@@ -47,6 +64,26 @@ class CpuExec {
   }
 
  private:
+  template <int count, class Terms>
+  std::vector<double> sum_chunks(int n, const Terms& terms) const {
+    std::vector<double> sums(chunk_count(n) * std::size_t{count});
+    const auto sum_chunk = [&](int chunk) {
+      double value[count][chunk_items] = {};
+      const int first = chunk * chunk_items, used = std::min(chunk_items, n - first);
+      for (int i = 0; i < used; ++i) {
+        double term[count] = {};
+        terms(first + i, term);
+        for (int k = 0; k < count; ++k) value[k][i] = term[k];
+      }
+      for (int k = 0; k < count; ++k) {
+        for (int half = chunk_items / 2; half > 0; half /= 2)
+          for (int i = 0; i < half; ++i) value[k][i] += value[k][i + half];
+        sums[chunk * count + k] = value[k][0];
+      }
+    };
+    for_each(chunk_count(n), sum_chunk, 8);
+    return sums;
+  }
   template <template <class> class Element, bool Warm, class Point, class Real>
   static void patch_force(const BodyView<Real>& body, const BatchView& batch, const Point& law, int patch, int first,
                           int last) {

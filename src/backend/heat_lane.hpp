@@ -43,7 +43,6 @@ class HeatLane {
     bound.resize(2 * nodes);
     corner_.resize(2 * std::size_t(d.slot_count));
     partial_.resize(2 * std::size_t(d.heat.entry_count()));
-    chunk_sums_.resize(heat_sum_count * std::size_t(chunks()));
     view_ = {.nodes = nodes_.view(),
              .x = x_.data(),
              .temperature = temperature.data(),
@@ -86,11 +85,7 @@ class HeatLane {
   }
   void turn_search(Exec& exec, double keep) { exec.for_each(node_count(), TurnSearch<Real>{view_, Real(keep)}); }
   HeatMeasure sums(Exec& exec) {
-    exec.for_each(chunks(), HeatSums<Real>{view_, chunk_nodes, chunk_sums_.data()});
-    std::vector<double> parts(chunk_sums_.size());
-    chunk_sums_.download(parts);
-    double s[heat_sum_count] = {};
-    for (std::size_t i = 0; i < parts.size(); ++i) s[i % heat_sum_count] += parts[i];
+    const auto s = exec.template sum<heat_sum_count>(node_count(), HeatSums<Real>{view_});
     return {std::sqrt(s[sum_residual]), s[sum_preconditioned], s[sum_along]};
   }
   void warm_gauss_points(Exec& exec, Real* warming) {
@@ -103,7 +98,6 @@ class HeatLane {
   template <class T>
   using Array = typename Exec::template Array<T>;
   int node_count() const { return view_.nodes.node_count; }
-  int chunks() const { return (discretisation_.heat.node_count + chunk_nodes - 1) / chunk_nodes; }
 
   /// Calls work(kernels, batch, conductivity) for every batch.
   template <class Work>
@@ -137,7 +131,6 @@ class HeatLane {
   NodeSet<Exec> nodes_;
   Array<Real> x_, residual_, direction_, corner_, partial_, film_value_;
   Array<int> film_node_, film_first_, film_column_;
-  Array<double> chunk_sums_;
   HeatView<Real> view_;
 
  public:

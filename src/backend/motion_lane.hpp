@@ -15,7 +15,6 @@ class MotionLane {
     supplied_.resize(nodes);
     damped_.resize(nodes);
     spring_dissipation.resize(contacts);
-    chunk_sums_.resize(motion_sum_count * ((nodes + motion_chunk_nodes - 1) / motion_chunk_nodes));
     damped_by_stiffness_ = false;
   }
   /// Velocity times `factor`, into `scaled`; makes room for the damping force, which steps take account of from now on.
@@ -31,12 +30,8 @@ class MotionLane {
     exec.for_each(body.nodes.node_count, StepMotion<Real>{body, view(), step});
   }
   MotionMeasure sums(Exec& exec, const BodyView<Real>& body, double step_before) {
-    const int chunks = static_cast<int>(chunk_sums_.size() / motion_sum_count);
-    exec.for_each(chunks, MotionSums<Real>{body, view(), step_before, chunk_sums_.data()});
-    std::vector<double> parts(chunk_sums_.size());
-    chunk_sums_.download(parts);
-    double s[motion_sum_count] = {};
-    for (std::size_t i = 0; i < parts.size(); ++i) s[i % motion_sum_count] += parts[i];
+    const auto s =
+        exec.template sum<motion_sum_count>(body.nodes.node_count, MotionSums<Real>{body, view(), step_before});
     return {s[motion_kinetic], s[motion_potential], s[motion_rest_work], s[motion_supplied], s[motion_damped]};
   }
 
@@ -48,7 +43,7 @@ class MotionLane {
   }
   bool damped_by_stiffness_ = false;
   Array<Real> damping_force_;
-  Array<double> supplied_, damped_, chunk_sums_;
+  Array<double> supplied_, damped_;
 
  public:
   Array<double> spring_dissipation;  ///< [contacts] J

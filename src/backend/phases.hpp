@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -128,7 +129,8 @@ class Phases final : public Backend {
     warming_.resize(d.gauss_count);
     stress_.resize(6 * std::size_t(d.gauss_count));
     groups_.group_count = static_cast<int>(nodes);
-    chunk_sums_.resize(relaxation_sum_count * chunks());
+    damping_.resize(1);
+    exec_.set_patches(d);
     body_ = {.nodes = blocks_.view(),
              .x = x_.data(),
              .u = u_.data(),
@@ -153,10 +155,11 @@ class Phases final : public Backend {
       case Phase::block_force: return each_batch([&](auto element, auto law, int b) { block_force(element, law, b); });
       case Phase::gather_force: return gather_boundary(body_.force);
       case Phase::move_nodes:
-        return exec_.for_each(groups_.group_count, MoveNodes<Real>{body_, groups_, step_damping(controls)});
+        set_damping(controls);
+        return move_nodes();
+      case Phase::relaxation_steps: return relaxation_steps(controls.steps);
       case Phase::keep_force: return exec_.for_each(node_count(), KeepForce<Real>{body_});
-      case Phase::relaxation_sums:
-        return exec_.for_each(chunks(), RelaxationSums<Real>{body_, groups_, chunk_sums_.data()});
+      case Phase::relaxation_sums: return sum_relaxation();
       case Phase::stiffness_bound: return stiffness_bound();
       case Phase::block_stress:
         return each_batch([&](auto element, auto law, int b) { block_stress(element, law, b); });
@@ -197,12 +200,18 @@ class Phases final : public Backend {
     throw std::logic_error("not a phase");
   }
 
+  void relax(const Controls& controls, int steps) override {
+    if constexpr (Exec::marches) {
+      set_damping(controls);
+      run(Phase::relaxation_steps, {.steps = steps});
+    } else {
+      Backend::relax(controls, steps);
+    }
+  }
+
   RelaxationMeasure relaxation_sums() override {
     run(Phase::relaxation_sums, {});
-    std::vector<double> parts(chunk_sums_.size());
-    chunk_sums_.download(parts);
-    double s[relaxation_sum_count] = {};
-    for (std::size_t i = 0; i < parts.size(); ++i) s[i % relaxation_sum_count] += parts[i];
+    const auto& s = relaxation_sums_;
     return {std::sqrt(s[sum_unbalanced]),
             std::sqrt(s[sum_load]),
             std::sqrt(s[sum_reaction]),
@@ -221,7 +230,6 @@ class Phases final : public Backend {
                .first = group_first_.data(),
                .member = group_member_.data(),
                .pull = group_pull_.data()};
-    chunk_sums_.resize(relaxation_sum_count * chunks());
   }
   void write_aggregates(const NodeAggregates& aggregates) override {
     balance_.write_aggregates(aggregates);
@@ -259,11 +267,51 @@ class Phases final : public Backend {
   BalanceView<Real> balance_view() { return balance_.view(body_, groups_); }
   int node_count() const { return body_.nodes.node_count; }
   int contact_count() const { return springs_.view().contact_count; }
-  int chunks() const { return (groups_.group_count + chunk_nodes - 1) / chunk_nodes; }
 
-  static StepDamping<Real> step_damping(const Controls& c) {
-    return {Real(c.local_damping), Real((2 - c.viscous_damping) / (2 + c.viscous_damping)),
-            Real(2 / (2 + c.viscous_damping))};
+  void set_damping(const Controls& c) {
+    damping_.upload({{Real(c.local_damping), Real((2 - c.viscous_damping) / (2 + c.viscous_damping)),
+                      Real(2 / (2 + c.viscous_damping))}});
+  }
+  void move_nodes() { exec_.for_each(groups_.group_count, MoveNodes<Real>{groups_, {body_, damping_.data()}}); }
+
+  void sum_relaxation() {
+    relaxation_sums_ =
+        exec_.template sum<relaxation_sum_count>(groups_.group_count, RelaxationSums<Real>{body_, groups_});
+  }
+
+  /// Relaxation steps as the machine does them best: without springs every node moves as soon as its force is whole.
+  void relaxation_steps(int steps) {
+    if constexpr (Exec::marches) {
+      const bool free = contact_count() == 0 && !groups_.first && every_batch_fits();
+      exec_.repeat(free + 2 * warm_, steps, [&] {
+        if (free) {
+          const MoveNode<Real> step{body_, damping_.data()};
+          each_batch([&](auto element, const auto& law, int b) { step_patches(element, law, b, step); });
+          exec_.boundary(body_, discretisation_, step);
+        } else {
+          run_phase(Phase::block_force, {});
+          run_phase(Phase::gather_force, {});
+          run_phase(Phase::spring_force, {});
+          move_nodes();
+        }
+      });
+    }
+  }
+  bool every_batch_fits() {
+    bool fit = true;
+    each_batch([&](auto element, const auto&, int b) { fit = fit && batch_fits(element, b); });
+    return fit;
+  }
+  template <template <class> class E>
+  bool batch_fits(ElementTag<E>, int b) const {
+    return exec_.template fits<E, Real>(b);
+  }
+  template <template <class> class E, class Point>
+  void step_patches(ElementTag<E>, const Point& law, int b, const MoveNode<Real>& step) {
+    if (warm_)
+      exec_.template patches<E, true>(body_, batch_view(b), law, discretisation_, b, step);
+    else
+      exec_.template patches<E, false>(body_, batch_view(b), law, discretisation_, b, step);
   }
 
   /// Calls work(element tag, prepared law, batch index) for every batch: the one place where shape and law become
@@ -394,13 +442,14 @@ class Phases final : public Backend {
   NodeSet<Exec> blocks_;
   Springs<Exec, Real> springs_;
   BalanceLane<Exec, Real> balance_;
+  Array<StepDamping<Real>> damping_;
   Array<Real> no_slip_;
   HeatLane<Exec, Real> heat_;
   MotionLane<Exec, Real> motion_;
   Array<Real> x_, u_, v_, load_, force_, kept_force_, u_before_, inverse_mass_, stiffness_, corner_force_, partial_,
       warming_, stress_;
   Array<std::uint8_t> fixed_;
-  Array<double> chunk_sums_;
+  std::array<double, relaxation_sum_count> relaxation_sums_{};
   BodyView<Real> body_;
   Array<int> group_first_, group_member_;
   Array<Real> group_pull_;

@@ -129,7 +129,6 @@ struct BalanceAdvance {
   }
 };
 
-/// Index of each sum in a chunk's record.
 enum BalanceSum : int {
   balance_residual,        ///< residual . residual, N^2
   balance_preconditioned,  ///< residual . preconditioned, N m
@@ -137,23 +136,17 @@ enum BalanceSum : int {
   balance_sum_count
 };
 
-/// One chunk of nodes -> its sums, in index order and in double.
+/// One node -> its share of every sum, in double.
 template <class Real>
 struct BalanceSums {
   BalanceView<Real> view;
-  int chunk_nodes;
-  double* chunk_sums;  ///< [balance_sum_count * chunks]
-  ASHLAR_HD void operator()(int chunk) const {
-    double s[balance_sum_count] = {};
-    const int first = chunk * chunk_nodes, count = view.body.nodes.node_count;
-    const int last = first + chunk_nodes < count ? first + chunk_nodes : count;
-    for (int i = 3 * first; i < 3 * last; ++i) {
+  ASHLAR_HD void operator()(int node, double (&s)[balance_sum_count]) const {
+    for (int i = 3 * node; i < 3 * node + 3; ++i) {
       const double r = view.residual[i];
       s[balance_residual] += r * r;
       s[balance_preconditioned] += r * double(view.preconditioned[i]);
       s[balance_along] += double(view.direction[i]) * double(view.product[i]);
     }
-    for (int k = 0; k < balance_sum_count; ++k) chunk_sums[chunk * balance_sum_count + k] = s[k];
   }
 };
 

@@ -24,6 +24,14 @@ struct GatherPatch {
   }
 };
 
+/// Sum of the partial sums of boundary node b (counted among boundary nodes), patch by patch.
+template <class Real, int width>
+ASHLAR_HD void sum_patches(const NodeSetView& nodes, const Real* partial, int b, Real (&sum)[width]) {
+  for (int c = 0; c < width; ++c) sum[c] = Real(0);
+  for (int j = nodes.boundary_first[b]; j < nodes.boundary_first[b + 1]; ++j)
+    for (int c = 0; c < width; ++c) sum[c] += partial[width * nodes.boundary_entry[j] + c];
+}
+
 /// One boundary node -> the sum of its patches' partial sums.
 template <class Real, int width>
 struct GatherBoundary {
@@ -33,9 +41,7 @@ struct GatherBoundary {
 
   ASHLAR_HD void operator()(int b) const {
     Real s[width];
-    for (int c = 0; c < width; ++c) s[c] = Real(0);
-    for (int j = nodes.boundary_first[b]; j < nodes.boundary_first[b + 1]; ++j)
-      for (int c = 0; c < width; ++c) s[c] += partial[width * nodes.boundary_entry[j] + c];
+    sum_patches<Real, width>(nodes, partial, b, s);
     for (int c = 0; c < width; ++c) sum[width * (nodes.interior_count + b) + c] = s[c];
   }
 };

@@ -43,7 +43,6 @@ struct TurnSearch {
   }
 };
 
-/// Index of each sum in a chunk's record.
 enum HeatSum : int {
   sum_residual,        ///< residual . residual, W^2
   sum_preconditioned,  ///< residual . residual / diagonal, W K
@@ -51,25 +50,17 @@ enum HeatSum : int {
   heat_sum_count
 };
 
-/// Nodes of one chunk -> its sums, in index order and in double (numerics 8).
+/// One node -> its share of every sum, in double; nothing where the temperature is held.
 template <class Real>
 struct HeatSums {
   HeatView<Real> heat;
-  int chunk_nodes;
-  double* chunk_sums;  ///< [heat_sum_count * chunks]
 
-  ASHLAR_HD void operator()(int chunk) const {
-    double s[heat_sum_count] = {};
-    const int first = chunk * chunk_nodes;
-    const int last = first + chunk_nodes < heat.nodes.node_count ? first + chunk_nodes : heat.nodes.node_count;
-    for (int node = first; node < last; ++node) {
-      if (heat.held[node]) continue;
-      const double residual = heat.residual[node];
-      s[sum_residual] += residual * residual;
-      s[sum_preconditioned] += residual * (residual / double(heat.bound[2 * node]));
-      s[sum_along] += double(heat.direction[node]) * double(heat.flow[node]);
-    }
-    for (int k = 0; k < heat_sum_count; ++k) chunk_sums[chunk * heat_sum_count + k] = s[k];
+  ASHLAR_HD void operator()(int node, double (&s)[heat_sum_count]) const {
+    if (heat.held[node]) return;
+    const double residual = heat.residual[node];
+    s[sum_residual] = residual * residual;
+    s[sum_preconditioned] = residual * (residual / double(heat.bound[2 * node]));
+    s[sum_along] = double(heat.direction[node]) * double(heat.flow[node]);
   }
 };
 

@@ -13,45 +13,63 @@ struct StepDamping {
   Real gain = 1;   ///< 2 / (2 + c)
 };
 
+/// One node by itself -> velocity and displacement after a step, from the force that acts on it.
+template <class Real>
+struct MoveNode {
+  BodyView<Real> body;
+  const StepDamping<Real>* damping;
+
+  ASHLAR_HD bool held(int node, int c) const { return (unsigned(body.fixed[node]) >> c) & 1u; }
+
+  /// Unbalanced force of component i = 3 node + c, less local damping; `force` is internal and contact force, N.
+  ASHLAR_HD Real damped_force(int i, Real force) const {
+    const Real f = body.load[i] - force;
+    const Real v = body.v[i];
+    const Real sign = Real((v > Real(0)) - (v < Real(0)));
+    return fma(-damping->local * (f < Real(0) ? -f : f), sign, f);
+  }
+
+  /// @param shared acceleration of the group that the node belongs to
+  ASHLAR_HD void component(int node, int c, Real force, Real shared) const {
+    if (held(node, c)) return;
+    const int i = 3 * node + c;
+    const Real moved = fma(damping->keep, body.v[i],
+                           damping->gain * fma(body.inverse_mass[node], damped_force(i, force), shared));
+    body.v[i] = moved;
+    body.u[i] += moved;
+  }
+
+  ASHLAR_HD void operator()(int node, const Real (&force)[3]) const {
+    ASHLAR_UNROLL
+    for (int c = 0; c < 3; ++c) component(node, c, force[c], Real(0));
+  }
+};
+
 /// One group of nodes -> its velocities and displacements.
 template <class Real>
 struct MoveNodes {
-  BodyView<Real> body;
   GroupView<Real> groups;
-  StepDamping<Real> damping;
+  MoveNode<Real> move;
 
   ASHLAR_HD void operator()(int group) const {
     for (int c = 0; c < 3; ++c) {
       const Real shared = shared_pull(group, c);
       for (int j = groups.begin(group); j < groups.end(group); ++j) {
         const int node = groups.node(j);
-        if (held(node, c)) continue;
-        const int i = 3 * node + c;
-        const Real moved =
-            fma(damping.keep, body.v[i], damping.gain * fma(body.inverse_mass[node], damped_force(i), shared));
-        body.v[i] = moved;
-        body.u[i] += moved;
+        move.component(node, c, move.body.force[3 * node + c], shared);
       }
     }
   }
 
  private:
-  ASHLAR_HD bool held(int node, int c) const { return (unsigned(body.fixed[node]) >> c) & 1u; }
-
-  ASHLAR_HD Real damped_force(int i) const {
-    const Real f = body.load[i] - body.force[i];
-    const Real v = body.v[i];
-    const Real sign = Real((v > Real(0)) - (v < Real(0)));
-    return fma(-damping.local * (f < Real(0) ? -f : f), sign, f);
-  }
-
   /// Acceleration of the whole group by the sum of its forces; none where a support holds one of its nodes.
   ASHLAR_HD Real shared_pull(int group, int c) const {
     if (groups.single(group)) return Real(0);
     Real sum = Real(0);
     for (int j = groups.begin(group); j < groups.end(group); ++j) {
-      if (held(groups.node(j), c)) return Real(0);
-      sum += damped_force(3 * groups.node(j) + c);
+      const int node = groups.node(j);
+      if (move.held(node, c)) return Real(0);
+      sum += move.damped_force(3 * node + c, move.body.force[3 * node + c]);
     }
     return groups.pull[group] * sum;
   }

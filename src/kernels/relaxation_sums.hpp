@@ -1,13 +1,9 @@
 #pragma once
 #include "model/view.hpp"
 
-/// Sums that relaxation decides by, over fixed chunks of node groups in index order, in double: the same on every
-/// machine and for every number of threads (numerics 8).
+/// Sums that relaxation decides by, in double (kernels/sum.hpp).
 namespace ashlar {
 
-inline constexpr int chunk_nodes = 256;
-
-/// Index of each sum in a chunk's record.
 enum RelaxationSum : int {
   sum_unbalanced,  ///< |load - force|^2 over free components, N^2
   sum_load,        ///< |load|^2, N^2
@@ -20,24 +16,18 @@ enum RelaxationSum : int {
   relaxation_sum_count
 };
 
-/// One chunk of node groups -> its sums.
+/// One group of nodes -> its share of every sum.
 template <class Real>
 struct RelaxationSums {
   BodyView<Real> body;
   GroupView<Real> groups;
-  double* chunk_sums;  ///< [relaxation_sum_count * chunks]
 
-  ASHLAR_HD void operator()(int chunk) const {
-    double s[relaxation_sum_count] = {};
-    const int first = chunk * chunk_nodes;
-    const int last = first + chunk_nodes < groups.group_count ? first + chunk_nodes : groups.group_count;
-    for (int group = first; group < last; ++group)
-      for (int c = 0; c < 3; ++c) add_component(group, c, s);
-    for (int k = 0; k < relaxation_sum_count; ++k) chunk_sums[chunk * relaxation_sum_count + k] = s[k];
+  ASHLAR_HD void operator()(int group, double (&s)[relaxation_sum_count]) const {
+    for (int c = 0; c < 3; ++c) add_component(group, c, s);
   }
 
  private:
-  ASHLAR_HD void add_component(int group, int c, double* s) const {
+  ASHLAR_HD void add_component(int group, int c, double (&s)[relaxation_sum_count]) const {
     double motion = 0, momentum = 0, mass_of_group = 0;
     bool any_held = false;
     for (int j = groups.begin(group); j < groups.end(group); ++j) {

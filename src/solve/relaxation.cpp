@@ -7,7 +7,7 @@ namespace ashlar {
 
 namespace {
 
-constexpr long sum_interval = 10;     // steps between two looks at the sums
+constexpr int sum_interval = 10;     // steps between two looks at the sums
 constexpr double most_damping = 1.9;  // bound of the viscous coefficient of one step
 constexpr double local_alpha = 0.8;   // Cundall's usual value
 constexpr double viscous_default = 0.02;
@@ -60,38 +60,39 @@ Equilibrium relax(Backend& backend, const Relaxation& relaxation, double scale, 
 
   Equilibrium result;
   double peak_kinetic = 0;
-  for (long step = 1;; ++step) {
+  for (long step = sum_interval;; step += sum_interval) {
+    backend.relax(controls, sum_interval - 2);
     evaluate_force(backend);
-    if (step % sum_interval == sum_interval - 1) backend.run(Phase::keep_force);
-    if (step % sum_interval == 0) {
-      const RelaxationMeasure m = backend.relaxation_sums();
-      result.steps = step;
-      result.ratio = force_ratio(m, scale);
-      if (!std::isfinite(m.kinetic) || !std::isfinite(result.ratio)) {
-        result.stop_reason = "not finite";
-        return result;
-      }
-      peak_kinetic = std::max(peak_kinetic, m.kinetic);
-      const double energy = std::max({peak_kinetic, std::abs(m.load_work), 0.5 * std::abs(m.force_work)});
-      // A start that balances to rounding leaves no other motion to compare the present one with.
-      const bool still = m.kinetic <= relaxation.tolerance * relaxation.tolerance * energy ||
-                         result.ratio <= rounding_floor * backend.rounding();
-      if (result.ratio <= relaxation.tolerance && still) {
-        result.converged = true;
-        result.stop_reason = "converged";
-        return result;
-      }
-      if (step >= limit) {
-        result.stop_reason = "step limit";
-        return result;
-      }
-      if (watch && watch(step, result.ratio)) {
-        result.interrupted = true;
-        result.stop_reason = "interrupted";
-        return result;
-      }
-      if (relaxation.damping == Damping::adaptive) controls.viscous_damping = adaptive_damping(m);
+    backend.run(Phase::keep_force);
+    backend.run(Phase::move_nodes, controls);
+    evaluate_force(backend);
+    const RelaxationMeasure m = backend.relaxation_sums();
+    result.steps = step;
+    result.ratio = force_ratio(m, scale);
+    if (!std::isfinite(m.kinetic) || !std::isfinite(result.ratio)) {
+      result.stop_reason = "not finite";
+      return result;
     }
+    peak_kinetic = std::max(peak_kinetic, m.kinetic);
+    const double energy = std::max({peak_kinetic, std::abs(m.load_work), 0.5 * std::abs(m.force_work)});
+    // A start that balances to rounding leaves no other motion to compare the present one with.
+    const bool still = m.kinetic <= relaxation.tolerance * relaxation.tolerance * energy ||
+                       result.ratio <= rounding_floor * backend.rounding();
+    if (result.ratio <= relaxation.tolerance && still) {
+      result.converged = true;
+      result.stop_reason = "converged";
+      return result;
+    }
+    if (step >= limit) {
+      result.stop_reason = "step limit";
+      return result;
+    }
+    if (watch && watch(step, result.ratio)) {
+      result.interrupted = true;
+      result.stop_reason = "interrupted";
+      return result;
+    }
+    if (relaxation.damping == Damping::adaptive) controls.viscous_damping = adaptive_damping(m);
     backend.run(Phase::move_nodes, controls);
   }
 }

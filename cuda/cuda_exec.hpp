@@ -1,0 +1,203 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cuda_array.hpp"
+#include "kernels/gather.hpp"
+#include "kernels/sum.hpp"
+#include "patch_kernels.hpp"
+
+namespace ashlar {
+
+template <class Kernel>
+__global__ void run_kernel(int first, int n, const Kernel kernel) {
+  const int i = blockIdx.x * blockDim.x + threadIdx.x;
+  if (i < n) kernel(first + i);
+}
+
+/// One chunk of items a thread group -> its sums by halves (kernels/sum.hpp).
+template <int count, class Terms>
+__global__ void __launch_bounds__(chunk_items) sum_chunk(int n, const Terms terms, double* chunk_sums) {
+  __shared__ double value[count][chunk_items];
+  const int item = blockIdx.x * chunk_items + threadIdx.x;
+  double term[count] = {};
+  if (item < n) terms(item, term);
+  for (int k = 0; k < count; ++k) value[k][threadIdx.x] = term[k];
+  for (int half = chunk_items / 2; half > 0; half /= 2) {
+    __syncthreads();
+    if (threadIdx.x < half)
+      for (int k = 0; k < count; ++k) value[k][threadIdx.x] += value[k][threadIdx.x + half];
+  }
+  if (threadIdx.x == 0)
+    for (int k = 0; k < count; ++k) chunk_sums[blockIdx.x * count + k] = value[k][0];
+}
+
+/// Sums of a boundary node's patches, then what its step does with them.
+template <class Real, class NodeStep>
+struct StepBoundary {
+  NodeSetView nodes;
+  const Real* partial;
+  NodeStep step;
+  ASHLAR_HD void operator()(int b) const {
+    Real sum[3];
+    sum_patches<Real, 3>(nodes, partial, b, sum);
+    step(nodes.interior_count + b, sum);
+  }
+};
+
+/// Keeps the force of a node.
+template <class Real>
+struct StoreForce {
+  Real* force;  ///< [3 * nodes] N
+  ASHLAR_HD void operator()(int node, const Real (&sum)[3]) const {
+    for (int c = 0; c < 3; ++c) force[3 * node + c] = sum[c];
+  }
+};
+
+/// Memory and loops of one NVIDIA device: launches go to one stream, in order.
+class CudaExec {
+ public:
+  template <class T>
+  using Array = CudaArray<T>;
+  static constexpr bool marches = true;
+
+  explicit CudaExec(int device) : device_(device) {
+    select();
+    cudaDeviceProp properties{};
+    check(cudaGetDeviceProperties(&properties, device), "ask device");
+    name_ = properties.name;
+    shared_bytes_ = properties.sharedMemPerBlockOptin;
+    cudaStream_t stream = nullptr;
+    check(cudaStreamCreate(&stream), "make a stream");
+    stream_.reset(stream);
+  }
+  std::string name() const { return name_; }
+  void select() const { check(cudaSetDevice(device_), "select device"); }
+  void finish() const { check(cudaStreamSynchronize(stream_.get()), "wait for the device"); }
+  void set_patches(const Discretisation& d) { blocks_ = std::make_unique<PatchLists>(d, d.blocks); }
+
+  template <class Kernel>
+  void for_each(int n, const Kernel& kernel) const {
+    for_range(0, n, kernel);
+  }
+
+  /// Sums of `terms(item, values)` over n items, in the order of kernels/sum.hpp.
+  template <int count, class Terms>
+  std::array<double, count> sum(int n, const Terms& terms) {
+    double* const first = sums(count, n);
+    int chunks = chunk_count(n);
+    sum_chunk<count><<<chunks, chunk_items, 0, stream_.get()>>>(n, terms, first);
+    double* last = first;
+    while (chunks > 1) {
+      double* const next = last + count * chunks;
+      sum_chunk<count><<<chunk_count(chunks), chunk_items, 0, stream_.get()>>>(chunks, ChunkTerms<count>{last}, next);
+      chunks = chunk_count(chunks);
+      last = next;
+    }
+    check(cudaGetLastError(), "launch");
+    std::array<double, count> total;
+    check(cudaMemcpyAsync(total.data(), last, sizeof total, cudaMemcpyDeviceToHost, stream_.get()), "copy sums");
+    finish();
+    return total;
+  }
+
+  /// Corner forces of every element, summed patch by patch.
+  template <template <class> class Element, bool Warm, class Point, class Real>
+  void block_forces(const BodyView<Real>& body, const BatchView& batch, const Point& law, const Discretisation& d,
+                    int b) const {
+    if (fits<Element, Real>(b))
+      return patches<Element, Warm>(body, batch, law, d, b, StoreForce<Real>{body.force});
+    for_each(batch.element_count, BlockForce<Element, Point, Real, Warm>{body, batch, law});
+    const int first = d.blocks.patch_first_entry[d.batches[b].first_patch];
+    const int last = d.blocks.patch_first_entry[d.batches[b].first_patch + d.batches[b].patch_count];
+    for_range(first, last - first, GatherPatch<Real, 3>{body.nodes, body.corner_force, body.partial, body.force});
+  }
+
+  /// Whether a patch of the batch has room in shared memory.
+  template <template <class> class Element, class Real>
+  bool fits(int b) const {
+    return bytes<Element, Real>(b) <= shared_bytes_;
+  }
+
+  /// Forces of one batch; every node that lies inside a patch makes its step at once.
+  template <template <class> class Element, bool Warm, class Point, class Real, class NodeStep>
+  void patches(const BodyView<Real>& body, const BatchView& batch, const Point& law, const Discretisation& d, int b,
+               const NodeStep& step) const {
+    const auto kernel = patch_force<Element, Warm, Point, Real, NodeStep>;
+    const std::size_t size = bytes<Element, Real>(b);
+    check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(size)),
+          "ask for shared memory");
+    kernel<<<d.batches[b].patch_count, patch_threads, size, stream_.get()>>>(
+        body, batch, law, blocks_->view(), d.batches[b].first_patch, capacity(b), step);
+    check(cudaGetLastError(), "launch");
+  }
+  template <class Real, class NodeStep>
+  void boundary(const BodyView<Real>& body, const Discretisation& d, const NodeStep& step) const {
+    for_each(d.blocks.boundary_count(), StepBoundary<Real, NodeStep>{body.nodes, body.partial, step});
+  }
+
+  /// Runs the launches of `work` `times` times: captured once as a graph for each `kind` of work, then sent as a whole.
+  template <class Work>
+  void repeat(int kind, int times, const Work& work) {
+    for (Graph& g : graphs_)
+      if (g.kind == kind && g.times == times && g.allocations == AllocationCount::value)
+        return check(cudaGraphLaunch(g.graph.get(), stream_.get()), "launch a graph");
+    std::erase_if(graphs_, [](const Graph& g) { return g.allocations != AllocationCount::value; });
+    check(cudaStreamBeginCapture(stream_.get(), cudaStreamCaptureModeThreadLocal), "capture");
+    for (int i = 0; i < times; ++i) work();
+    cudaGraph_t captured = nullptr;
+    check(cudaStreamEndCapture(stream_.get(), &captured), "end capture");
+    cudaGraphExec_t graph = nullptr;
+    check(cudaGraphInstantiate(&graph, captured, 0), "make a graph");
+    check(cudaGraphDestroy(captured), "drop a graph");
+    graphs_.push_back({kind, times, AllocationCount::value, {graph, cudaGraphExecDestroy}});
+    check(cudaGraphLaunch(graph, stream_.get()), "launch a graph");
+  }
+
+ private:
+  struct Graph {
+    int kind, times;
+    unsigned long allocations;
+    std::unique_ptr<CUgraphExec_st, cudaError_t (*)(cudaGraphExec_t)> graph;
+  };
+
+  /// Room for the sums of every round.
+  double* sums(int count, int n) {
+    std::size_t room = 0;
+    for (int chunks = chunk_count(n);; chunks = chunk_count(chunks)) {
+      room += std::size_t(count) * chunks;
+      if (chunks <= 1) break;
+    }
+    if (sums_.size() < room) sums_.resize(room);
+    return sums_.data();
+  }
+  int capacity(int b) const { return (blocks_->most_entries(b) + 3) / 4 * 4; }
+  template <template <class> class Element, class Real>
+  std::size_t bytes(int b) const {
+    return patch_bytes<Real, Element<Real>::corners, 3, 6>(capacity(b));
+  }
+  template <class Kernel>
+  void for_range(int first, int n, const Kernel& kernel) const {
+    constexpr int group = 128;
+    if (n <= 0) return;
+    run_kernel<<<(n + group - 1) / group, group, 0, stream_.get()>>>(first, n, kernel);
+    check(cudaGetLastError(), "launch");
+  }
+
+  struct DropStream {
+    void operator()(cudaStream_t stream) const { cudaStreamDestroy(stream); }
+  };
+  int device_;
+  std::string name_;
+  std::size_t shared_bytes_ = 0;
+  std::unique_ptr<CUstream_st, DropStream> stream_;
+  std::unique_ptr<PatchLists> blocks_;
+  CudaArray<double> sums_;
+  std::vector<Graph> graphs_;
+};
+
+}  // namespace ashlar

@@ -1,0 +1,130 @@
+#pragma once
+#include <cstdint>
+
+#include "kernels/block_force.hpp"
+#include "patch_lists.hpp"
+
+/// Kernels for one patch a thread group (speed.md 2): nodes staged in shared memory, one thread an element, then one
+/// thread a node that sums its corners in the model's order. The element routine and the node routine are those of
+/// src/kernels.
+namespace ashlar {
+
+inline constexpr int patch_threads = 128;
+template <class Real>
+inline constexpr int patch_groups_per_processor = sizeof(Real) == 4 ? 4 : 2;
+
+template <class Real>
+inline constexpr int patch_capacity = sizeof(Real) == 4 ? patch_size_single : patch_size_double;
+
+/// Corner values of one component in shared memory, and the zero that unused gather places point to. The padding moves
+/// components to other banks.
+template <class Real, int corners>
+inline constexpr int component_stride = corners * patch_capacity<Real> + 8;
+
+/// Starts a copy of one number from global to shared memory that needs no register.
+template <class Real>
+__device__ __forceinline__ void copy_async(Real* shared, const Real* global) {
+  const unsigned to = static_cast<unsigned>(__cvta_generic_to_shared(shared));
+  asm volatile("cp.async.ca.shared.global [%0], [%1], %2;\n" ::"r"(to), "l"(global), "n"(sizeof(Real)));
+}
+__device__ __forceinline__ void wait_for_copies() { asm volatile("cp.async.wait_all;\n" ::: "memory"); }
+
+/// Patch entries of the corners of one element: 2 bytes each, read together.
+template <int corners>
+__device__ __forceinline__ void read_entries(const std::uint16_t* corner_entry, int first_slot, int (&entry)[corners]) {
+  static_assert(corners == 8 || corners == 6 || corners == 4);
+  const std::uint16_t* at = corner_entry + first_slot;
+  if constexpr (corners == 8) {
+    const uint4 q = __ldg(reinterpret_cast<const uint4*>(at));
+    const unsigned words[4] = {q.x, q.y, q.z, q.w};
+    ASHLAR_UNROLL
+    for (int k = 0; k < 8; ++k) entry[k] = (words[k / 2] >> (16 * (k & 1))) & 0xffff;
+  } else {
+    ASHLAR_UNROLL
+    for (int k = 0; k < corners; ++k) entry[k] = __ldg(at + k);
+  }
+}
+
+/// Sum over one entry's corners of `width` components in shared memory.
+template <int width, class Real>
+__device__ __forceinline__ void sum_corners(const PatchHead& head, const GatherRow* rows, int l, const Real* corner,
+                                            int stride, Real (&sum)[width]) {
+  ASHLAR_UNROLL
+  for (int c = 0; c < width; ++c) sum[c] = Real(0);
+  const GatherRow* row = rows + head.first_row + l / 32 * head.rows_per_lane * 32 + l % 32;
+  for (int r = 0; r < head.rows_per_lane; ++r, row += 32) {
+    const uint4 q = __ldg(reinterpret_cast<const uint4*>(row));
+    const unsigned words[4] = {q.x, q.y, q.z, q.w};
+    ASHLAR_UNROLL
+    for (int j = 0; j < 8; ++j) {
+      const int place = (words[j / 2] >> (16 * (j & 1))) & 0xffff;
+      ASHLAR_UNROLL
+      for (int c = 0; c < width; ++c) sum[c] += corner[c * stride + place];
+    }
+  }
+}
+
+/// Bytes of shared memory that a patch of a batch needs.
+template <class Real, int corners, int width, int staged>
+constexpr std::size_t patch_bytes(int entries) {
+  return sizeof(Real) * (std::size_t(width) * component_stride<Real, corners> + std::size_t(staged) * entries);
+}
+
+/// Forces of one patch; `node(n, force)` takes what is whole, nodes shared with other patches leave a partial sum.
+template <template <class> class Element, bool Warm, class Point, class Real, class NodeStep>
+__global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<Real>)
+    patch_force(const BodyView<Real> body, const BatchView batch, const Point law, const PatchListsView lists,
+                const int first_patch, const int capacity, const NodeStep node_step) {
+  constexpr int corners = Element<Real>::corners;
+  constexpr int stride = component_stride<Real, corners>;
+  extern __shared__ __align__(16) unsigned char shared[];
+  Real* const force = reinterpret_cast<Real*>(shared);
+  Real* const place = force + 3 * stride;       // [3 * capacity]
+  Real* const moved = place + 3 * capacity;     // [3 * capacity]
+  const PatchHead head = lists.heads[first_patch + blockIdx.x];
+
+  for (int l = threadIdx.x; l < head.entries; l += patch_threads) {
+    const int n = 3 * (l < head.interior ? head.first_node + l : __ldg(body.nodes.entry_node + head.first_entry + l));
+    ASHLAR_UNROLL
+    for (int c = 0; c < 3; ++c) {
+      copy_async(place + c * capacity + l, body.x + n + c);
+      copy_async(moved + c * capacity + l, body.u + n + c);
+    }
+  }
+  if (threadIdx.x < 3) force[threadIdx.x * stride + corners * patch_capacity<Real>] = Real(0);
+  wait_for_copies();
+  __syncthreads();
+
+  for (int i = threadIdx.x; i < head.elements; i += patch_threads) {
+    const int element = head.first_element + i;
+    int entry[corners];
+    read_entries<corners>(body.nodes.corner_entry, batch.slot(element, corners, 0), entry);
+    Real x[3][corners], u[3][corners], f[3][corners];
+    ASHLAR_UNROLL
+    for (int k = 0; k < corners; ++k)
+      ASHLAR_UNROLL
+      for (int c = 0; c < 3; ++c) {
+        x[c][k] = place[c * capacity + entry[k]];
+        u[c][k] = moved[c * capacity + entry[k]];
+      }
+    element_force<Element, Warm>(law, x, u, StoredWarming<Real>{body.warming, batch, element}, f);
+    ASHLAR_UNROLL
+    for (int k = 0; k < corners; ++k)
+      ASHLAR_UNROLL
+      for (int c = 0; c < 3; ++c) force[c * stride + k * patch_capacity<Real> + i] = f[c][k];
+  }
+  __syncthreads();
+
+  for (int l = threadIdx.x; l < head.entries; l += patch_threads) {
+    Real sum[3];
+    sum_corners<3>(head, lists.rows, l, force, stride, sum);
+    if (l < head.interior) {
+      node_step(head.first_node + l, sum);
+    } else {
+      ASHLAR_UNROLL
+      for (int c = 0; c < 3; ++c) body.partial[3 * (head.first_entry + l) + c] = sum[c];
+    }
+  }
+}
+
+}  // namespace ashlar

@@ -1,0 +1,81 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "cuda_array.hpp"
+#include "model/discretisation.hpp"
+
+/// What one thread group needs to know of its patch: the model's own order of sums (Topology) in the form that reads
+/// best, 16 bytes a lane. Element forces of a patch lie in shared memory as [component][corner][element].
+namespace ashlar {
+
+struct PatchHead {
+  int first_entry, entries, interior;  ///< of Topology
+  int first_node;                      ///< interior entries are nodes first_node, first_node + 1, ...
+  int first_element, elements;         ///< counted in the batch
+  int first_row, rows_per_lane;        ///< of the gather lists
+};
+
+/// Eight places of one entry's corner values in shared memory; unused ones hold `nowhere`, where a zero lies.
+struct alignas(16) GatherRow {
+  std::uint16_t place[8];
+};
+
+struct PatchListsView {
+  const PatchHead* heads = nullptr;  ///< [patches]
+  const GatherRow* rows = nullptr;   ///< per patch: entries in groups of 32 lanes, rows_per_lane rows a group
+};
+
+class PatchLists {
+ public:
+  PatchLists(const Discretisation& d, const Topology& t) : most_entries_(d.batches.size()) {
+    std::vector<PatchHead> heads(d.patch_count());
+    std::vector<GatherRow> rows;
+    for (int p = 0; p < d.patch_count(); ++p) {
+      const Batch& b = d.batch_of_patch(p);
+      const int corners = corner_count(b.shape);
+      PatchHead& h = heads[p];
+      h.first_entry = t.patch_first_entry[p];
+      h.entries = t.patch_first_entry[p + 1] - h.first_entry;
+      h.interior = t.patch_interior[p];
+      h.first_node = h.entries > 0 ? t.entry_node[h.first_entry] : 0;
+      h.first_element = d.patch_first_element[p] - b.first_element;
+      h.elements = d.patch_first_element[p + 1] - d.patch_first_element[p];
+      int& most = most_entries_[d.patch_batch[p]];
+      most = std::max(most, h.entries);
+
+      int longest = 1;
+      for (int e = h.first_entry; e < h.first_entry + h.entries; ++e)
+        longest = std::max(longest, t.entry_first_slot[e + 1] - t.entry_first_slot[e]);
+      h.rows_per_lane = (longest + 7) / 8;
+      h.first_row = static_cast<int>(rows.size());
+      GatherRow empty;
+      std::fill(std::begin(empty.place), std::end(empty.place), static_cast<std::uint16_t>(nowhere(d, corners)));
+      rows.resize(rows.size() + std::size_t((h.entries + 31) / 32) * 32 * h.rows_per_lane, empty);
+      const int first_slot = b.first_slot + h.first_element * corners;
+      for (int l = 0; l < h.entries; ++l) {
+        const int first = t.entry_first_slot[h.first_entry + l], last = t.entry_first_slot[h.first_entry + l + 1];
+        for (int j = first; j < last; ++j) {
+          const int slot = t.entry_slot[j] - first_slot;
+          GatherRow& row = rows[h.first_row + (l / 32 * h.rows_per_lane + (j - first) / 8) * 32 + l % 32];
+          row.place[(j - first) % 8] = static_cast<std::uint16_t>(slot % corners * d.patch_size + slot / corners);
+        }
+      }
+    }
+    heads_.assign(heads);
+    rows_.assign(rows);
+  }
+
+  PatchListsView view() const { return {heads_.data(), rows_.data()}; }
+  int most_entries(int batch) const { return most_entries_[batch]; }
+  /// Place of the zero behind the corner values of one component.
+  static int nowhere(const Discretisation& d, int corners) { return corners * d.patch_size; }
+
+ private:
+  CudaArray<PatchHead> heads_;
+  CudaArray<GatherRow> rows_;
+  std::vector<int> most_entries_;  ///< [batches]
+};
+
+}  // namespace ashlar
