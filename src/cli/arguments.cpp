@@ -17,7 +17,8 @@ struct Option {
 const std::vector<Option>& options() {
   static const std::vector<Option> all = {
       {"--set", "NAME=VALUE", "gives an argument of the deck (deck.args); may be repeated"},
-      {"--threads", "N", "number of threads (all cores)"},
+      {"--device", "DEVICE", "cpu, cuda, cuda:N or auto (cuda if there is a usable NVIDIA device, else cpu)"},
+      {"--threads", "N", "number of threads of the CPU (all cores)"},
       {"--out", "DIR", "folder for the results (DECK without .lua, plus .run)"},
       {"--force", "", "replaces the results of an earlier run"},
   };
@@ -41,6 +42,12 @@ int thread_count(const std::string& text) {
   return count;
 }
 
+DeviceChoice device_named(const std::string& text) {
+  const auto choice = device_choice(text);
+  if (!choice) throw UsageError("--device takes cpu, cuda, cuda:N or auto, not '" + text + "'");
+  return *choice;
+}
+
 std::pair<std::string, std::string> setting(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == 0 || equals == std::string::npos)
@@ -50,6 +57,7 @@ std::pair<std::string, std::string> setting(const std::string& text) {
 
 void take_option(Arguments& arguments, const std::string& name, const std::string& value) {
   if (name == "--set") arguments.settings.push_back(setting(value));
+  if (name == "--device") arguments.device = device_named(value);
   if (name == "--threads") arguments.threads = thread_count(value);
   if (name == "--out") arguments.out = value;
   if (name == "--force") arguments.force = true;
@@ -59,7 +67,7 @@ void take_option(Arguments& arguments, const std::string& name, const std::strin
 
 std::span<const Verb> verbs() {
   static const std::vector<Verb> all = {
-      {"run", "DECK", 1, 1, {"--set", "--threads", "--out", "--force"}, "solves a deck and writes its results"},
+      {"run", "DECK", 1, 1, {"--set", "--device", "--threads", "--out", "--force"}, "solves a deck and writes its results"},
       {"check", "DECK", 1, 1, {"--set"}, "reads a deck and shows mesh, contacts and plan without solving"},
       {"plot",
        "RUN [--of FIELD ...]",
@@ -68,7 +76,7 @@ std::span<const Verb> verbs() {
        {},
        "makes pictures of a run; 'ashlar plot --help' lists what it can draw"},
       {"info", "[RUN]", 0, 1, {}, "the summary of a finished run; without RUN: this program and this machine"},
-      {"bench", "", 0, 0, {"--threads", "--out"}, "measures element-steps per second on this machine"},
+      {"bench", "", 0, 0, {"--device", "--threads", "--out"}, "measures element-steps per second on this machine"},
       {"help", "[NOUN]", 0, 1, {}, "this page, or the keys of a noun of the deck language"},
       {"version", "", 0, 0, {}, "the version"},
   };
@@ -125,7 +133,7 @@ std::string usage_page() {
   std::string page = "usage: ashlar COMMAND [operands] [options]\n\n";
   for (const Verb& verb : verbs())
     page += "  " + column(verb.name + (verb.operands.empty() ? "" : " " + verb.operands), 28) + verb.doc + "\n";
-  page += "\noptions of run; check takes --set, bench --threads and --out\n";
+  page += "\noptions of run; check takes --set, bench --device, --threads and --out\n";
   for (const Option& option : options())
     page += "  " + column(option.name + (option.value.empty() ? "" : " " + option.value), 28) + option.doc + "\n";
   page +=

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "backend/device.hpp"
+
 namespace ashlar {
 
 /// What was typed makes no sense; the message says what would. Exit code 2.
@@ -19,6 +21,7 @@ struct Arguments {
   std::vector<std::string> operands;                          ///< words that are no options
   std::vector<std::pair<std::string, std::string>> settings;  ///< --set name=value, in order
   int threads = 0;                                            ///< --threads; 0: all cores
+  DeviceChoice device;                                        ///< --device; automatic unless given
   std::string out;                                            ///< --out
   bool force = false;                                         ///< --force
   std::vector<std::string> passed;  ///< plot: everything after the verb, for the plotting program

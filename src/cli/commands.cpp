@@ -9,8 +9,10 @@
 
 #include "cli/check_report.hpp"
 #include "cli/page.hpp"
+#include "backend/device.hpp"
 #include "cli/plot.hpp"
 #include "cli/summary.hpp"
+#include "cli/wording.hpp"
 #include "script/deck.hpp"
 
 namespace ashlar {
@@ -27,7 +29,15 @@ int info_command(const Arguments& arguments) {
   if (arguments.operands.empty()) {
     Page page;
     page.line("ashlar", ASHLAR_VERSION ", built by " ASHLAR_COMPILER);
-    page.line("machine", counted(omp_get_num_procs(), "core") + "; runs use the CPU");
+    page.line("machine", counted(omp_get_num_procs(), "core"));
+    const CudaSupport cuda = cuda_support();
+    for (std::size_t i = 0; i < cuda.devices.size(); ++i) {
+      const CudaDevice& d = cuda.devices[i];
+      page.line("machine", text("cuda:%zu: %s, compute capability %d.%d, %.1f of %.1f GB free", i, d.name.c_str(),
+                                d.major, d.minor, double(d.free_bytes) / 1e9, double(d.memory_bytes) / 1e9));
+    }
+    if (!cuda.missing.empty()) page.line("machine", cuda.missing);
+    page.line("runs use", cuda.devices.empty() ? "the CPU" : "cuda:0, unless --device says otherwise");
     std::fputs(page.lines().c_str(), stdout);
     return 0;
   }

@@ -64,7 +64,7 @@ int run_command(const Arguments& arguments) {
   Deck deck = read_deck(arguments.operands[0], {arguments.settings.begin(), arguments.settings.end()});
   build_mesh(deck.model);
   check_model(deck.model);
-  Problem problem(deck.model, {.threads = arguments.threads});
+  Problem problem(deck.model, {.threads = arguments.threads, .device = arguments.device});
 
   const RunFolder folder(arguments.out.empty() ? run_folder_name(deck.path) : arguments.out, arguments.force);
   RunWriter writer(folder, describe(deck, arguments, problem.backend->name()), deck.model, problem.blocks,

@@ -22,7 +22,7 @@ Problem::Problem(const Model& m, const RunOptions& options)
       discretisation(
           discretise(m.mesh, blocks, material_indices(m),
                      options.precision == Precision::double_precision ? patch_size_double : patch_size_single)),
-      backend(make_cpu_backend(setup(), options.precision, options.threads)) {}
+      backend(make_backend(setup(), options.precision, options.device, options.threads)) {}
 
 Setup Problem::setup() const {
   Setup setup{discretisation, contacts, {}, {}};

@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "backend/backend.hpp"
+#include "backend/device.hpp"
 #include "model/blocks.hpp"
 #include "model/conditions.hpp"
 #include "model/discretisation.hpp"
@@ -13,7 +13,8 @@ namespace ashlar {
 
 struct RunOptions {
   Precision precision = Precision::double_precision;
-  int threads = 0;  ///< 0: all cores
+  int threads = 0;  ///< of the CPU; 0: all cores
+  DeviceChoice device{DeviceChoice::cpu};
 };
 
 struct Problem {

@@ -9,9 +9,6 @@
 #include "solve/problem.hpp"
 #include "solve/stage_conditions.hpp"
 #include "solve/virtual_mass.hpp"
-#ifdef ASHLAR_HAS_CUDA
-#include "cuda_backend.hpp"
-#endif
 
 /// Parity: the same bits on every machine and with every number of threads. An equality test, not a tolerance.
 namespace ashlar {
@@ -181,6 +178,27 @@ std::vector<double> move(const Problem& p, Backend& b, int steps) {
   return all;
 }
 
+/// Steps in a row, as machines fuse them: cold, then warm.
+std::vector<double> relax(const Problem& p, Backend& b, int steps) {
+  const MechanicalConditions conditions = mechanical_conditions(p, 0);
+  b.write(Field::load, p.to_machine(conditions.load, 3));
+  b.write(Field::fixed, p.to_machine(conditions.fixed, 1));
+  set_virtual_mass(p, b, {});
+  Controls controls;
+  controls.local_damping = 0.05;
+  controls.viscous_damping = 0.1;
+  b.relax(controls, steps);
+  std::vector<double> warming(b.size(Field::warming));
+  for (std::size_t g = 0; g < warming.size(); ++g) warming[g] = std::sin(0.1 * double(g));
+  b.write(Field::warming, warming);
+  b.use_warming(true);
+  controls.viscous_damping = 0.2;
+  b.relax(controls, steps);
+  std::vector<double> all = b.read(Field::displacement);
+  for (const double v : b.read(Field::velocity)) all.push_back(v);
+  return all;
+}
+
 class Parity : public testing::TestWithParam<std::tuple<Precision, Blocks, const char*>> {
  protected:
   static constexpr int steps = 100;
@@ -211,21 +229,25 @@ TEST_P(Parity, EveryNumberOfThreadsMovesByTheSameBits) {
     expect_same_bits(one, move(problem_, *make_cpu_backend(problem_.setup(), precision, threads), steps), "motion");
 }
 
+TEST_P(Parity, StepsInARowGiveTheBitsOfStepsOneByOne) {
+  const auto precision = std::get<0>(GetParam());
+  expect_same_bits(relax(problem_, *make_cpu_backend(problem_.setup(), precision, 2), steps),
+                   relax(problem_, *make_cpu_backend(problem_.setup(), precision, 1), steps), "relaxation");
+}
+
 TEST_P(Parity, AnNvidiaDeviceGivesTheSameBits) {
-#ifdef ASHLAR_HAS_CUDA
-  if (cuda_device_count() == 0) GTEST_SKIP() << "no NVIDIA device here";
-  const auto backend = make_cuda_backend(problem_.setup(), std::get<0>(GetParam()), 0);
-  const Outcome device = march(problem_, *backend, steps);
+  if (cuda_support().devices.empty()) GTEST_SKIP() << cuda_support().missing;
+  const auto precision = std::get<0>(GetParam());
+  const auto cpu_backend = [&] { return make_cpu_backend(problem_.setup(), precision, 0); };
+  const auto device_backend = [&] { return make_cuda_backend(problem_.setup(), precision, 0); };
+  const Outcome device = march(problem_, *device_backend(), steps);
   const Outcome cpu = on_one_thread();
   expect_same(cpu, device);
-  const auto precision = std::get<0>(GetParam());
-  expect_same_bits(move(problem_, *make_cpu_backend(problem_.setup(), precision, 1), steps),
-                   move(problem_, *make_cuda_backend(problem_.setup(), precision, 0), steps), "motion");
+  expect_same_bits(move(problem_, *cpu_backend(), steps), move(problem_, *device_backend(), steps), "motion");
+  expect_same_bits(relax(problem_, *cpu_backend(), steps), relax(problem_, *device_backend(), steps), "relaxation");
   std::printf("  %s: %zu displacements, %zu stresses, %zu temperatures compared bit by bit after %d steps\n",
-              backend->name().c_str(), cpu.displacement.size(), cpu.stress.size(), cpu.temperature.size(), steps);
-#else
-  GTEST_SKIP() << "built without CUDA";
-#endif
+              device_backend()->name().c_str(), cpu.displacement.size(), cpu.stress.size(), cpu.temperature.size(),
+              steps);
 }
 
 std::string case_name(const testing::TestParamInfo<Parity::ParamType>& info) {

@@ -1,0 +1,40 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "backend/backend.hpp"
+
+/// The machines that a run can use.
+namespace ashlar {
+
+/// Where a run computes: `--device`.
+struct DeviceChoice {
+  enum Kind { cpu, cuda, automatic } kind = automatic;
+  int index = 0;  ///< of an NVIDIA device
+};
+/// "cpu", "cuda", "cuda:1" or "auto"; empty: another text.
+std::optional<DeviceChoice> device_choice(const std::string& text);
+
+struct CudaDevice {
+  std::string name;
+  int major = 0, minor = 0;                  ///< compute capability
+  std::size_t memory_bytes = 0, free_bytes = 0;
+};
+
+/// What the CUDA part of this build says; implemented in cuda/, with nvcc or without.
+struct CudaSupport {
+  bool built = false;                ///< compiled by nvcc
+  std::string missing;               ///< why no device can be used; empty: there are some
+  std::vector<CudaDevice> devices;
+};
+CudaSupport cuda_support();
+
+/// The phases on one NVIDIA device. Throws ResourceError: no such device, too little memory, a failed launch.
+std::unique_ptr<Backend> make_cuda_backend(const Setup& setup, Precision precision, int device);
+
+/// The backend that was chosen; automatic: the first NVIDIA device, else the CPU. Throws ResourceError.
+std::unique_ptr<Backend> make_backend(const Setup& setup, Precision precision, const DeviceChoice& choice, int threads);
+
+}  // namespace ashlar
