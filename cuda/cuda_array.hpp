@@ -2,14 +2,10 @@
 #include <utility>
 #include <vector>
 
+#include "backend/machine_memory.hpp"
 #include "cuda_check.hpp"
 
 namespace ashlar {
-
-/// Counts allocations of a machine: captured launches hold addresses and are stale once it has moved on.
-struct AllocationCount {
-  inline static thread_local unsigned long value = 0;
-};
 
 /// Device memory of trivially copyable elements. Copies wait for what runs on the device.
 template <class T>
@@ -18,7 +14,10 @@ class CudaArray {
   CudaArray() = default;
   CudaArray(CudaArray&& other) noexcept
       : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
-  ~CudaArray() { cudaFree(data_); }
+  ~CudaArray() {
+    MachineMemory::bytes -= size_ * sizeof(T);
+    cudaFree(data_);
+  }
 
   void resize(std::size_t n) {
     allocate(n);
@@ -46,8 +45,9 @@ class CudaArray {
     if (n == size_) return;
     check(cudaFree(data_), "free memory");
     data_ = nullptr;
+    MachineMemory::bytes += (n - size_) * sizeof(T);
+    ++MachineMemory::changes;
     size_ = n;
-    ++AllocationCount::value;
     if (n > 0) check(cudaMalloc(&data_, n * sizeof(T)), "allocate memory");
   }
   T* data_ = nullptr;

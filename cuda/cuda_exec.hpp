@@ -144,9 +144,9 @@ class CudaExec {
   template <class Work>
   void repeat(int kind, int times, const Work& work) {
     for (Graph& g : graphs_)
-      if (g.kind == kind && g.times == times && g.allocations == AllocationCount::value)
+      if (g.kind == kind && g.times == times && g.changes == MachineMemory::changes)
         return check(cudaGraphLaunch(g.graph.get(), stream_.get()), "launch a graph");
-    std::erase_if(graphs_, [](const Graph& g) { return g.allocations != AllocationCount::value; });
+    std::erase_if(graphs_, [](const Graph& g) { return g.changes != MachineMemory::changes; });
     check(cudaStreamBeginCapture(stream_.get(), cudaStreamCaptureModeThreadLocal), "capture");
     for (int i = 0; i < times; ++i) work();
     cudaGraph_t captured = nullptr;
@@ -154,14 +154,14 @@ class CudaExec {
     cudaGraphExec_t graph = nullptr;
     check(cudaGraphInstantiate(&graph, captured, 0), "make a graph");
     check(cudaGraphDestroy(captured), "drop a graph");
-    graphs_.push_back({kind, times, AllocationCount::value, {graph, cudaGraphExecDestroy}});
+    graphs_.push_back({kind, times, MachineMemory::changes, {graph, cudaGraphExecDestroy}});
     check(cudaGraphLaunch(graph, stream_.get()), "launch a graph");
   }
 
  private:
   struct Graph {
     int kind, times;
-    unsigned long allocations;
+    unsigned long changes;
     std::unique_ptr<CUgraphExec_st, cudaError_t (*)(cudaGraphExec_t)> graph;
   };
 

@@ -155,6 +155,10 @@ class Backend {
   virtual ~Backend() = default;
   virtual std::string name() const = 0;
   virtual double rounding() const = 0;  ///< distance from 1 to the next number
+  /// Waits until everything asked for has happened.
+  virtual void finish() = 0;
+  /// Bytes per second that a plain copy reads and writes on the machine, measured.
+  virtual double copy_bandwidth() = 0;
   /// Runs one phase to its end and books its wall time.
   void run(Phase phase, const Controls& controls = {});
   /// Seconds spent in a phase since the backend was made.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "backend/machine_memory.hpp"
 #include "backend/pack.hpp"
 #include "backend/phases.hpp"
 #include "kernels/sum.hpp"
@@ -17,14 +18,24 @@ class CpuExec {
   template <class T>
   class Array {
    public:
-    void resize(std::size_t n) { values_.assign(n, T()); }
-    void assign(const std::vector<T>& values) { values_ = values; }
+    Array() = default;
+    Array(Array&&) = default;
+    ~Array() { count(0); }
+    void resize(std::size_t n) {
+      count(n);
+      values_.assign(n, T());
+    }
+    void assign(const std::vector<T>& values) {
+      count(values.size());
+      values_ = values;
+    }
     void upload(const std::vector<T>& values) { std::copy(values.begin(), values.end(), values_.begin()); }
     void download(std::vector<T>& values) const { values = values_; }
     std::size_t size() const { return values_.size(); }
     T* data() { return values_.data(); }
 
    private:
+    void count(std::size_t n) { MachineMemory::bytes += (n - values_.size()) * sizeof(T); }
     std::vector<T> values_;
   };
 
@@ -34,6 +45,7 @@ class CpuExec {
   std::string name() const { return "cpu, " + std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads"); }
 
   void set_patches(const Discretisation&) {}
+  void finish() const {}
 
   /// @param worth fewer than so many are left to one thread
   template <class Kernel>

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -26,6 +28,12 @@
 ///   block_forces(...): the machine's fastest driver of the element routine (see cpu.cpp), same bits as BlockForce +
 ///   GatherPatch
 namespace ashlar {
+
+struct CopyNumber {
+  const double* from;
+  double* to;
+  ASHLAR_HD void operator()(int i) const { to[i] = from[i]; }
+};
 
 /// Springs in a machine's memory, block nodes renumbered.
 template <class Exec, class Real>
@@ -149,6 +157,23 @@ class Phases final : public Backend {
   std::string name() const override { return exec_.name(); }
   double rounding() const override { return std::numeric_limits<Real>::epsilon(); }
   void use_warming(bool on) override { warm_ = on; }
+  void finish() override { exec_.finish(); }
+  double copy_bandwidth() override {
+    using Clock = std::chrono::steady_clock;
+    constexpr int numbers = 1 << 25, rounds = 10;
+    Array<double> from, to;
+    from.resize(numbers);
+    to.resize(numbers);
+    double best = 0;
+    for (int round = 0; round < rounds; ++round) {
+      exec_.finish();
+      const auto start = Clock::now();
+      exec_.for_each(numbers, CopyNumber{from.data(), to.data()});
+      exec_.finish();
+      best = std::max(best, 2.0 * numbers * sizeof(double) / std::chrono::duration<double>(Clock::now() - start).count());
+    }
+    return best;
+  }
 
   void run_phase(Phase phase, const Controls& controls) override {
     switch (phase) {

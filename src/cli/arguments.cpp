@@ -19,6 +19,7 @@ const std::vector<Option>& options() {
       {"--set", "NAME=VALUE", "gives an argument of the deck (deck.args); may be repeated"},
       {"--device", "DEVICE", "cpu, cuda, cuda:N or auto (cuda if there is a usable NVIDIA device, else cpu)"},
       {"--threads", "N", "number of threads of the CPU (all cores)"},
+      {"--elements", "N", "one size of about N elements instead of the usual ones"},
       {"--out", "DIR", "folder for the results (DECK without .lua, plus .run)"},
       {"--force", "", "replaces the results of an earlier run"},
   };
@@ -34,11 +35,11 @@ const Verb& verb_named(const std::string& word) {
   throw UsageError("unknown command '" + word + "'" + suggest_name(word, names));
 }
 
-int thread_count(const std::string& text) {
+int whole_number(const std::string& option, const std::string& text) {
   int count = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
   if (error != std::errc() || end != text.data() + text.size() || count < 1)
-    throw UsageError("--threads takes a whole number of at least 1, not '" + text + "'");
+    throw UsageError(option + " takes a whole number of at least 1, not '" + text + "'");
   return count;
 }
 
@@ -58,7 +59,8 @@ std::pair<std::string, std::string> setting(const std::string& text) {
 void take_option(Arguments& arguments, const std::string& name, const std::string& value) {
   if (name == "--set") arguments.settings.push_back(setting(value));
   if (name == "--device") arguments.device = device_named(value);
-  if (name == "--threads") arguments.threads = thread_count(value);
+  if (name == "--threads") arguments.threads = whole_number(name, value);
+  if (name == "--elements") arguments.elements = whole_number(name, value);
   if (name == "--out") arguments.out = value;
   if (name == "--force") arguments.force = true;
 }
@@ -76,7 +78,7 @@ std::span<const Verb> verbs() {
        {},
        "makes pictures of a run; 'ashlar plot --help' lists what it can draw"},
       {"info", "[RUN]", 0, 1, {}, "the summary of a finished run; without RUN: this program and this machine"},
-      {"bench", "", 0, 0, {"--device", "--threads", "--out"}, "measures element-steps per second on this machine"},
+      {"bench", "", 0, 0, {"--device", "--threads", "--elements", "--out"}, "measures element-steps per second on this machine"},
       {"help", "[NOUN]", 0, 1, {}, "this page, or the keys of a noun of the deck language"},
       {"version", "", 0, 0, {}, "the version"},
   };
@@ -133,7 +135,7 @@ std::string usage_page() {
   std::string page = "usage: ashlar COMMAND [operands] [options]\n\n";
   for (const Verb& verb : verbs())
     page += "  " + column(verb.name + (verb.operands.empty() ? "" : " " + verb.operands), 28) + verb.doc + "\n";
-  page += "\noptions of run; check takes --set, bench --device, --threads and --out\n";
+  page += "\noptions of run; check takes --set, bench --device, --threads, --elements and --out\n";
   for (const Option& option : options())
     page += "  " + column(option.name + (option.value.empty() ? "" : " " + option.value), 28) + option.doc + "\n";
   page +=
