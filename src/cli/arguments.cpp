@@ -78,7 +78,7 @@ std::span<const Verb> verbs() {
        {},
        "makes pictures of a run; 'ashlar plot --help' lists what it can draw"},
       {"info", "[RUN]", 0, 1, {}, "the summary of a finished run; without RUN: this program and this machine"},
-      {"bench", "", 0, 0, {"--device", "--threads", "--elements", "--out"}, "measures element-steps per second on this machine"},
+      {"bench", "[WORK]", 0, 1, {"--device", "--threads", "--elements", "--out"}, "measures element-steps per second: elastic, crackable, heat; all of them unless one is named"},
       {"help", "[NOUN]", 0, 1, {}, "this page, or the keys of a noun of the deck language"},
       {"version", "", 0, 0, {}, "the version"},
   };

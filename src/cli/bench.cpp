@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "backend/machine_memory.hpp"
+#include "base/nearest_name.hpp"
 #include "cli/commands.hpp"
 #include "cli/textbook_hex8.hpp"
 #include "cli/wording.hpp"
@@ -273,6 +274,13 @@ int bench_command(const Arguments& arguments) {
   std::vector<Work> works = {{"elastic", Shape::hex8, false, false},  {"elastic", Shape::wedge6, false, false},
                              {"elastic", Shape::tet4, false, false},  {"crackable", Shape::hex8, true, false},
                              {"heat", Shape::hex8, false, true}};
+  if (!arguments.operands.empty()) {
+    std::vector<std::string> names;
+    for (const Work& work : works) names.push_back(work.name);
+    std::erase_if(works, [&](const Work& work) { return work.name != arguments.operands[0]; });
+    if (works.empty())
+      throw UsageError("bench has no work '" + arguments.operands[0] + "'" + suggest_name(arguments.operands[0], names));
+  }
   std::vector<int> sizes = {30000, 300000};
   if (on_device) sizes = {30000, 300000, 2400000, 20000000};
   std::printf("%-9s %-6s %11s  %-22s %-6s %10s %10s %5s %6s %6s  share of time by phase, run one by one\n", "work", "shape",
