@@ -21,7 +21,8 @@ const std::vector<Option>& options() {
       {"--threads", "N", "number of threads of the CPU (all cores)"},
       {"--elements", "N", "one size of about N elements instead of the usual ones"},
       {"--out", "DIR", "folder for the results (DECK without .lua, plus .run)"},
-      {"--force", "", "replaces the results of an earlier run"},
+      {"--force", "", "replaces the results of an earlier run, or an exported file"},
+      {"--to", "FILE", "file to export to: .msh (Gmsh), .vtu (ParaView), .inp (CalculiX, Abaqus)"},
   };
   return all;
 }
@@ -63,6 +64,7 @@ void take_option(Arguments& arguments, const std::string& name, const std::strin
   if (name == "--elements") arguments.elements = whole_number(name, value);
   if (name == "--out") arguments.out = value;
   if (name == "--force") arguments.force = true;
+  if (name == "--to") arguments.to = value;
 }
 
 }  // namespace
@@ -71,6 +73,12 @@ std::span<const Verb> verbs() {
   static const std::vector<Verb> all = {
       {"run", "DECK", 1, 1, {"--set", "--device", "--threads", "--out", "--force"}, "solves a deck and writes its results"},
       {"check", "DECK", 1, 1, {"--set"}, "reads a deck and shows mesh, contacts and plan without solving"},
+      {"export",
+       "DECK",
+       1,
+       1,
+       {"--to", "--set", "--force"},
+       "writes the mesh for another program, for .inp with loads"},
       {"plot",
        "RUN [--of FIELD ...]",
        0,
@@ -135,7 +143,8 @@ std::string usage_page() {
   std::string page = "usage: ashlar COMMAND [operands] [options]\n\n";
   for (const Verb& verb : verbs())
     page += "  " + column(verb.name + (verb.operands.empty() ? "" : " " + verb.operands), 28) + verb.doc + "\n";
-  page += "\noptions of run; check takes --set, bench --device, --threads, --elements and --out\n";
+  page += "\noptions of run; check takes --set, export --to, --set and --force, "
+          "bench --device, --threads, --elements and --out\n";
   for (const Option& option : options())
     page += "  " + column(option.name + (option.value.empty() ? "" : " " + option.value), 28) + option.doc + "\n";
   page +=

@@ -25,6 +25,7 @@ struct Arguments {
   int elements = 0;                                           ///< --elements; 0: the usual sizes
   std::string out;                                            ///< --out
   bool force = false;                                         ///< --force
+  std::string to;                                             ///< --to
   std::vector<std::string> passed;  ///< plot: everything after the verb, for the plotting program
 };
 

@@ -6,6 +6,7 @@ namespace ashlar {
 
 int run_command(const Arguments& arguments);
 int check_command(const Arguments& arguments);
+int export_command(const Arguments& arguments);
 int info_command(const Arguments& arguments);
 int help_command(const Arguments& arguments);
 int version_command(const Arguments& arguments);

@@ -8,7 +8,23 @@
 #include <cmath>
 #include <optional>
 
+#include "io/abaqus_elements.hpp"
+
 namespace ashlar {
+
+int abaqus_face(Shape shape, int label) {
+  const auto faces = abaqus_faces(shape);
+  if (label < 0 || label >= static_cast<int>(faces.size())) return -1;
+  auto corners = faces[label];
+  std::sort(corners.begin(), corners.end());
+  for (int face = 0; face < face_count(shape); ++face) {
+    const auto local = face_corners(shape, face);
+    std::vector<int> own(local.begin(), local.end());
+    std::sort(own.begin(), own.end());
+    if (own == corners) return face;
+  }
+  return -1;
+}
 
 namespace {
 
@@ -93,28 +109,6 @@ constexpr ElementType element_types[] = {
     {"CPE4", Cell::quad4},  {"S4", Cell::quad4},     {"S4R", Cell::quad4},   {"M3D4", Cell::quad4},
     {"M3D4R", Cell::quad4}, {"SFM3D4", Cell::quad4}, {"T3D2", {}},
 };
-
-/// Corners of the faces S1, S2, ... (Abaqus and CalculiX manuals, three-dimensional solid elements).
-std::vector<std::vector<int>> abaqus_faces(Shape shape) {
-  if (shape == Shape::hex8) return {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}};
-  if (shape == Shape::wedge6) return {{0, 1, 2}, {3, 5, 4}, {0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}};
-  return {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
-}
-
-/// Face number `label` (S1 is 0) of Abaqus as a face of Shape; -1 if there is none.
-int face_of(Shape shape, int label) {
-  const auto faces = abaqus_faces(shape);
-  if (label < 0 || label >= static_cast<int>(faces.size())) return -1;
-  auto corners = faces[label];
-  std::sort(corners.begin(), corners.end());
-  for (int face = 0; face < face_count(shape); ++face) {
-    const auto local = face_corners(shape, face);
-    std::vector<int> own(local.begin(), local.end());
-    std::sort(own.begin(), own.end());
-    if (own == corners) return face;
-  }
-  return -1;
-}
 
 class Reader {
  public:
@@ -537,7 +531,7 @@ void Reader::resolve_surfaces() {
         }
         const Shape shape = shape_of(content_.volumes.cells[e]);
         const bool well_formed = label.text.size() == 2 && upper(label.text)[0] == 'S';
-        const int face = well_formed ? face_of(shape, label.text[1] - '1') : -1;
+        const int face = well_formed ? abaqus_face(shape, label.text[1] - '1') : -1;
         if (face < 0)
           scanner_.fail(label.position, "a " + std::string(shape_name(shape)) + " element has the faces S1 to S" +
                                             std::to_string(face_count(shape)) + ", found " + shown(label.text));

@@ -32,6 +32,7 @@ struct Tag {
 struct Arrays {
   std::map<std::string, Tag> of_cells;  ///< <Cells>, by name
   std::map<std::string, Tag> of_cell_data;
+  std::map<std::string, Tag> of_field;  ///< of <FieldData>
   std::optional<Tag> points;
   Tag piece;
   std::size_t header_bytes = 4;
@@ -126,6 +127,7 @@ Arrays find_arrays(const Scanner& scanner) {
       if (parent == "Points") arrays.points = tag;
       if (parent == "Cells") arrays.of_cells[tag.attribute("Name")] = tag;
       if (parent == "CellData") arrays.of_cell_data[tag.attribute("Name")] = tag;
+      if (parent == "FieldData") arrays.of_field[tag.attribute("Name")] = tag;
     } else if (tag.name == "AppendedData") {
       const std::string encoding = tag.attribute("encoding");
       if (encoding != "raw" && encoding != "base64")
@@ -275,6 +277,32 @@ const Tag& needed(const Scanner& scanner, const Arrays& arrays, const std::strin
   return it->second;
 }
 
+/// Strings of a field array: the numbers of their characters, each string ended by a zero. Empty without the array.
+std::vector<std::string> strings(const Scanner& scanner, const Arrays& arrays, const std::string& name) {
+  const auto it = arrays.of_field.find(name);
+  std::vector<std::string> result;
+  if (it == arrays.of_field.end() || it->second.attribute("type") != "String") return result;
+  const Decoder codes(scanner, arrays, it->second);
+  std::string text;
+  for (const long code : codes.numbers<long>()) {
+    if (code) {
+      text += static_cast<char>(code);
+      continue;
+    }
+    result.push_back(text);
+    text.clear();
+  }
+  return result;
+}
+
+/// The names that `ashlar export` gives to the numbers: regions first, then surfaces.
+void read_names(const Scanner& scanner, const Arrays& arrays, MeshContent& content) {
+  int number = 0;
+  for (const auto& name : strings(scanner, arrays, "region_names")) content.names[{3, ++number}] = name;
+  if (number == 0) return;
+  for (const auto& name : strings(scanner, arrays, "surface_names")) content.names[{2, ++number}] = name;
+}
+
 void check_count(const Scanner& scanner, const Tag& piece, const char* key, std::size_t found) {
   if (piece.attribute(key) != std::to_string(found))
     scanner.fail(piece.position, std::string(key) + " is '" + piece.attribute(key).substr(0, 40) +
@@ -399,6 +427,7 @@ MeshContent read_vtu(Scanner& scanner) {
   }
   if (begin != static_cast<long>(nodes.size())) connectivity.fail("has more entries than 'offsets' gives to cells");
   order_wedges(scanner, content);
+  read_names(scanner, arrays, content);
   return content;
 }
 

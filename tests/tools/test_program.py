@@ -73,6 +73,31 @@ class Program(unittest.TestCase):
         self.assertEqual(self.ashlar("run", "bar.lua", "--force").returncode, 0)
         self.assertEqual(self.ashlar("run", "bar.lua", "--out", "other").returncode, 0)
 
+    def test_an_exported_mesh_gives_the_same_answer(self):
+        self.deck()
+        self.assertEqual(self.ashlar("run", "bar.lua").returncode, 0)
+        for extension in ("msh", "vtu", "inp"):
+            answer = self.ashlar("export", "bar.lua", "--to", "bar_mesh." + extension)
+            self.assertEqual(answer.returncode, 0, answer.stderr)
+            self.assertIn("4 elements, 20 nodes, 1 region, 8 surfaces", answer.stdout)
+            (self.folder / "again.lua").write_text("\n".join(
+                line.replace('box "bar"', f'import_mesh {{ file = "bar_mesh.{extension}" }} --')
+                for line in DECK.replace("EXTRA", "").split("\n") if not line.startswith("surface")), encoding="utf-8")
+            self.assertEqual(self.ashlar("run", "again.lua", "--force").returncode, 0)
+            self.assertEqual((self.folder / "again.run/history_end.csv").read_bytes(),
+                             (self.folder / "bar.run/history_end.csv").read_bytes())
+
+    def test_export_says_what_it_writes_and_replaces_only_by_force(self):
+        self.deck()
+        for words in ((), ("--to", "bar.stl"), ("--to", "bar.lua")):
+            answer = self.ashlar("export", "bar.lua", *words)
+            self.assertEqual(answer.returncode, 2)
+            self.assertIn(".inp (CalculiX, Abaqus)", answer.stderr)
+        self.assertEqual(self.ashlar("export", "bar.lua", "--to", "bar.msh").returncode, 0)
+        refused = self.ashlar("export", "bar.lua", "--to", "bar.msh")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--force", refused.stderr)
+
     def test_a_failed_expect_exits_4(self):
         self.deck()
         answer = self.ashlar("run", "bar.lua", "--set", "load=2")
