@@ -12,6 +12,7 @@
 #include "model/check_mesh.hpp"
 #include "model/conditions.hpp"
 #include "physics/laws/laws.hpp"
+#include "solve/plan.hpp"
 
 namespace ashlar {
 namespace {
@@ -35,8 +36,9 @@ void describe_mesh(Page& page, const Model& model, const MeshQuality& quality) {
   for (const auto& p : mesh.points)
     for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
   page.line("mesh", "from " + place_text(low) + " to " + place_text(high));
-  const auto worst = [](const WorstElement& w, const char* format) {
-    return text(format, w.value) + " at " + place_text(w.place);
+  const auto worst = [&](const WorstElement& w, const char* format) {
+    return text(format, w.value) + text(": element %ld of ", mesh.source_ids[w.element]) +
+           mesh.region_names[mesh.regions[w.element]] + " at " + place_text(w.place);
   };
   page.line("quality", worst(quality.smallest_edge, "smallest edge %.4g m"));
   page.line("quality", worst(quality.worst_aspect, "largest aspect ratio %.3g"));
@@ -174,8 +176,11 @@ void describe_plan(Page& page, const Model& model) {
 
 std::string check_report(const Model& model) {
   const MeshQuality quality = measure_quality(model.mesh);
-  const Blocks blocks = split_blocks(model, find_faces(model.mesh));
-  const ContactPoints contacts = place_contacts(model, blocks);
+  Problem problem(model, {});
+  const std::vector<StagePlan> plan = plan_stages(problem);
+  const StepSeconds seconds = measure_steps(problem);
+  const Blocks& blocks = problem.blocks;
+  const ContactPoints& contacts = problem.contacts;
   Page page;
   page.line("model", model.name);
   describe_mesh(page, model, quality);
@@ -184,7 +189,7 @@ std::string check_report(const Model& model) {
   const std::vector<ContactSum> sums = sum_contacts(model, blocks, contacts);
   describe_contacts(page, model, blocks, sums);
   describe_plan(page, model);
-  for (const std::string& line : estimate_effort(model, blocks, contacts)) page.line("estimate", line);
+  for (const std::string& line : estimate_effort(problem, plan, seconds)) page.line("estimate", line);
   for (const std::string& line : model.notes) page.line("note", line);
   for (const std::string& line : left_out(model)) page.line("left out", line);
   return page.lines();

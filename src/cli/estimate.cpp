@@ -10,33 +10,42 @@ namespace ashlar {
 namespace {
 
 // Steps per element across and decade of the ratio, fitted to runs of dams, whole and split into blocks: right within a
-// factor of two or three for such bodies. Static stages search like an elastic body; crack events relax.
-constexpr double search_steps = 1.0, relaxation_steps = 5;
-constexpr double element_steps_per_second = 1.5e6;  // a machine of two cores, contact springs included
+// factor of two or three for such bodies. The elastic search of static stages hardly feels the mesh beyond some size.
+constexpr double search_steps = 1, most_search_steps = 45, relaxation_steps = 8, steady_steps = 0.45;
+// Time of a whole step over that of its largest piece, which is measured.
+constexpr double search_over_force = 2.2, relaxation_over_force = 1.6, motion_over_force = 1.4, march_over_heat = 1.2,
+                 steady_over_heat = 1.4;
 
 /// Bytes of the arrays of backend and discretisation.
 double bytes_needed(const Mesh& mesh, const Blocks& blocks, const ContactPoints& contacts) {
-  constexpr double per_node = 400, per_corner = 120, per_gauss_point = 60, per_contact_point = 400, program = 20e6;
+  constexpr double per_node = 540, per_corner = 160, per_gauss_point = 80, per_contact_point = 540, program = 20e6;
   double gauss = 0;
   for (Shape shape : mesh.shapes) gauss += gauss_count(shape);
   return program + per_node * blocks.node_count() + per_corner * static_cast<double>(blocks.corners.size()) +
          per_gauss_point * gauss + per_contact_point * contacts.count();
 }
 
-/// Elements that a wave passes on its way through the model.
+/// Nodes that a wave passes on its way through the model.
 double elements_across(const Mesh& mesh) {
   Vec3<double> low = mesh.points[0], high = low;
   for (const auto& p : mesh.points)
     for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
   double volume = 0;
   for (int e = 0; e < mesh.element_count(); ++e) volume += element_volume(mesh, e);
-  return std::max({high.x - low.x, high.y - low.y, high.z - low.z}) / std::cbrt(volume / mesh.element_count());
+  return std::max({high.x - low.x, high.y - low.y, high.z - low.z}) / std::cbrt(volume / mesh.node_count());
 }
 
 const Relaxation* relaxation_of(const Stage& stage) {
   if (const auto* s = std::get_if<StaticSolve>(&stage.solve)) return &s->relaxation;
   if (const auto* f = std::get_if<FractureSolve>(&stage.solve)) return &f->relaxation;
   return nullptr;
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 1e-3) return text("%.3g us", 1e6 * seconds);
+  if (seconds < 1) return text("%.3g ms", 1e3 * seconds);
+  if (seconds < 3600) return text("%.3g s", seconds);
+  return seconds < 86400 ? text("%.3g h", seconds / 3600) : text("%.3g days", seconds / 86400);
 }
 
 /// One digit and zeros: 20 000.
@@ -47,20 +56,36 @@ std::string rounded(double steps) {
 
 }  // namespace
 
-std::vector<std::string> estimate_effort(const Model& model, const Blocks& blocks, const ContactPoints& contacts) {
-  std::vector<std::string> lines{text("memory about %.0f MB", bytes_needed(model.mesh, blocks, contacts) / 1e6)};
+std::vector<std::string> estimate_effort(const Problem& problem, const std::vector<StagePlan>& plan,
+                                         const StepSeconds& seconds) {
+  const Model& model = problem.model;
+  std::vector<std::string> lines{
+      text("memory about %.0f MB", bytes_needed(model.mesh, problem.blocks, problem.contacts) / 1e6)};
   const double across = elements_across(model.mesh);
-  for (const Stage& stage : model.stages) {
-    const Relaxation* relaxation = relaxation_of(stage);
-    if (!relaxation) continue;
+  for (std::size_t i = 0; i < model.stages.size(); ++i) {
+    const Stage& stage = model.stages[i];
+    const auto* thermal = std::get_if<ThermalSolve>(&stage.solve);
     const auto* fracture = std::get_if<FractureSolve>(&stage.solve);
-    const double decades = 1 - std::log10(relaxation->tolerance);
-    const double steps = (fracture ? relaxation_steps : search_steps) * across * decades;
-    const double seconds = steps * model.mesh.element_count() / element_steps_per_second;
-    std::string line = text("stage %s: about %s steps, %s", stage.name.c_str(), rounded(steps).c_str(),
-                            duration_text(seconds).c_str());
-    if (fracture) line += text(", for each of %d increments and of the crack events", fracture->increments);
-    lines.push_back(line);
+    double steps = static_cast<double>(plan[i].steps), step = 0;
+    std::string words, after;
+    if (steps > 0) {
+      step = thermal ? march_over_heat * seconds.heat : motion_over_force * seconds.force;
+      words = count_text(plan[i].steps) + " steps of " + time_text(plan[i].time_step);
+    } else if (thermal) {
+      steps = steady_steps * across * -std::log10(thermal->tolerance);
+      step = steady_over_heat * seconds.heat;
+      words = "about " + rounded(steps) + " iterations";
+    } else {
+      const Relaxation& relaxation = *relaxation_of(stage);
+      const bool searches = !fracture && relaxation.search;
+      const double decades = 1 - std::log10(relaxation.tolerance);
+      steps = decades * (searches ? std::min(search_steps * across, most_search_steps) : relaxation_steps * across);
+      step = (searches ? search_over_force : relaxation_over_force) * seconds.force;
+      words = "about " + rounded(steps) + " steps";
+      if (fracture) after = text(", for each of %d increments and of the crack events", fracture->increments);
+    }
+    const std::string time = step * steps < 1 ? "less than a second" : "about " + duration_text(step * steps);
+    lines.push_back("stage " + stage.name + ": " + words + ", " + time + after);
   }
   return lines;
 }

@@ -10,6 +10,7 @@
 #include "io/run_writer.hpp"
 #include "io/text_file.hpp"
 #include "script/deck.hpp"
+#include "solve/plan.hpp"
 #include "solve/solver.hpp"
 
 namespace ashlar {
@@ -65,6 +66,7 @@ int run_command(const Arguments& arguments) {
   build_mesh(deck.model);
   check_model(deck.model);
   Problem problem(deck.model, {.threads = arguments.threads, .device = arguments.device});
+  plan_stages(problem);  // refuses what a later stage could not start with
 
   const RunFolder folder(arguments.out.empty() ? run_folder_name(deck.path) : arguments.out, arguments.force);
   RunWriter writer(folder, describe(deck, arguments, problem.backend->name()), deck.model, problem.blocks,

@@ -64,15 +64,11 @@ class Motion {
   }
 
  private:
-  /// Equal steps, as long as they may be.
   void choose_step() {
-    const StableStep stable = stable_step(problem_, solve_.stiffness_damping);
-    double longest = (solve_.time_factor > 0 ? solve_.time_factor : safety) * stable.together;
-    if (solve_.time_step > 0) longest = solve_.time_step;
-    steps_ = std::max(1L, static_cast<long>(std::ceil(solve_.duration / longest * (1 - 1e-12))));
-    step_ = solve_.duration / static_cast<double>(steps_);
-    result_.time_step = step_;
-    result_.stable_step = stable.together;
+    const MotionSteps chosen = motion_steps(problem_, stage_);
+    steps_ = chosen.count;
+    result_.time_step = step_ = chosen.length;
+    result_.stable_step = chosen.stable;
   }
 
   void start(bool moving) {
@@ -257,17 +253,24 @@ StableStep stable_step(const Problem& problem, double stiffness_damping) {
   return step;
 }
 
-void check_time_step(const Problem& problem, const Stage& stage) {
+MotionSteps motion_steps(const Problem& problem, const Stage& stage) {
   const auto& solve = std::get<DynamicSolve>(stage.solve);
-  if (solve.time_step == 0) return;
   const double stable = stable_step(problem, solve.stiffness_damping).together;
-  if (solve.time_step <= stable) return;
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "time_step %.4g s is above the stable step of this mesh, %.4g s; give less, or leave it out for one "
-                "that fits",
-                solve.time_step, stable);
-  throw DeckError(stage.where, "stage '" + stage.name + "': " + text);
+  if (solve.time_step > stable) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "time_step %.4g s is above the stable step of this mesh, %.4g s; give less, or leave it out for one "
+                  "that fits",
+                  solve.time_step, stable);
+    throw DeckError(stage.where, "stage '" + stage.name + "': " + text);
+  }
+  double longest = (solve.time_factor > 0 ? solve.time_factor : safety) * stable;
+  if (solve.time_step > 0) longest = solve.time_step;
+  MotionSteps steps;
+  steps.count = std::max(1L, static_cast<long>(std::ceil(solve.duration / longest * (1 - 1e-12))));
+  steps.length = solve.duration / static_cast<double>(steps.count);
+  steps.stable = stable;
+  return steps;
 }
 
 void move_in_time(const Problem& problem, const Stage& stage, bool moving, const DynamicLinks& links,

@@ -18,8 +18,12 @@ struct StableStep {
 };
 StableStep stable_step(const Problem& problem, double stiffness_damping);
 
-/// Throws DeckError: a time step of the deck above the stable one.
-void check_time_step(const Problem& problem, const Stage& stage);
+/// Equal steps of a stage, as long as they may be. Throws DeckError: a time step of the deck above the stable one.
+struct MotionSteps {
+  long count = 0;
+  double length = 0, stable = 0;  ///< s
+};
+MotionSteps motion_steps(const Problem& problem, const Stage& stage);
 
 /// What a motion tells while it goes on. Returns true where it shall stop.
 struct DynamicLinks {

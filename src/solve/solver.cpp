@@ -61,7 +61,7 @@ class Run {
 
   RunResult run() {
     for (const Stage& s : problem_.model.stages)
-      if (is_dynamic(s)) check_time_step(problem_, s);
+      if (is_dynamic(s)) motion_steps(problem_, s);  // refused before anything is solved
     if (warm_) recorder_.temperature(temperature_);
     if (!problem_.model.stages.empty()) recorder_.history_rows({0, 0, 0, false});
     for (stage_ = 0; stage_ < static_cast<int>(problem_.model.stages.size()); ++stage_) {

@@ -125,8 +125,8 @@ double largest_step(Backend& backend, const std::vector<double>& held, const std
   return step;
 }
 
-ThermalResult march(Problem& problem, const ThermalSolve& solve, const std::vector<double>& held,
-                    const ThermalWatch& watch) {
+/// Steps of a transient, and the capacity that they need.
+ThermalSteps set_up_march(Problem& problem, const ThermalSolve& solve, const std::vector<double>& held) {
   Backend& backend = *problem.backend;
   const Mesh& mesh = problem.model.mesh;
   std::vector<double> capacity = to_machine(problem, lumped_capacity(problem.model, mesh.corners, mesh.node_count()));
@@ -134,15 +134,19 @@ ThermalResult march(Problem& problem, const ThermalSolve& solve, const std::vect
   const long steps = static_cast<long>(std::ceil(solve.duration / longest));
   for (double& c : capacity) c = 1 / c;
   backend.write(Field::inverse_capacity, capacity);
+  return {steps, solve.duration / static_cast<double>(steps)};
+}
 
+ThermalResult march(Problem& problem, const ThermalSolve& solve, const ThermalSteps& steps, const ThermalWatch& watch) {
+  Backend& backend = *problem.backend;
   ThermalResult result;
   Controls controls;
-  controls.time_step = result.time_step = solve.duration / static_cast<double>(steps);
-  while (result.steps < steps) {
+  controls.time_step = result.time_step = steps.length;
+  while (result.steps < steps.count) {
     backend.run(Phase::heat_flow);
     backend.run(Phase::step_heat, controls);
     ++result.steps;
-    const double fraction = static_cast<double>(result.steps) / static_cast<double>(steps);
+    const double fraction = static_cast<double>(result.steps) / static_cast<double>(steps.count);
     if (watch && watch({result.steps, fraction, fraction * solve.duration, 0})) {
       result.interrupted = true;
       result.stop_reason = "interrupted";
@@ -199,7 +203,7 @@ void write_temperature(Problem& problem, const std::vector<double>& temperature)
   problem.backend->write(Field::temperature, to_machine(problem, temperature));
 }
 
-ThermalResult solve_thermal(Problem& problem, int stage_index, const ThermalWatch& watch) {
+ThermalSteps thermal_steps(Problem& problem, int stage_index) {
   const Model& model = problem.model;
   const Stage& stage = model.stages[stage_index];
   const ThermalSolve& solve = std::get<ThermalSolve>(stage.solve);
@@ -211,7 +215,13 @@ ThermalResult solve_thermal(Problem& problem, int stage_index, const ThermalWatc
                                      "': a steady temperature needs a fixed_temperature or a convection somewhere; "
                                      "without one every level of temperature is in balance");
   const std::vector<double> held = set_boundary(problem, boundary);
-  return solve.steady ? solve_steady(problem, solve, watch) : march(problem, solve, held, watch);
+  return solve.steady ? ThermalSteps{} : set_up_march(problem, solve, held);
+}
+
+ThermalResult solve_thermal(Problem& problem, int stage_index, const ThermalWatch& watch) {
+  const auto& solve = std::get<ThermalSolve>(problem.model.stages[stage_index].solve);
+  const ThermalSteps steps = thermal_steps(problem, stage_index);
+  return solve.steady ? solve_steady(problem, solve, watch) : march(problem, solve, steps, watch);
 }
 
 }  // namespace ashlar

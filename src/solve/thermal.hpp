@@ -36,6 +36,15 @@ void prescribe_temperature(const Model& model, int stage, std::vector<double>& t
 std::vector<double> read_temperature(const Problem& problem);
 void write_temperature(Problem& problem, const std::vector<double>& temperature);
 
+/// Steps of a transient stage; none of a steady one, whose iterations only solving tells.
+struct ThermalSteps {
+  long count = 0;
+  double length = 0;  ///< s
+};
+/// Sets thermal stage `stage` (0-based) up in the backend and says how it will be marched through. Throws DeckError as
+/// solve_thermal does.
+ThermalSteps thermal_steps(Problem& problem, int stage);
+
 /// Solves thermal stage `stage` (0-based) from the temperature in the backend. Throws DeckError: a material without
 /// conductivity or heat capacity, a steady stage that nothing ties to a temperature.
 ThermalResult solve_thermal(Problem& problem, int stage, const ThermalWatch& watch = {});

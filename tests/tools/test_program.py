@@ -134,6 +134,17 @@ class Program(unittest.TestCase):
             self.assertIn(words, answer.stdout)
         self.assertEqual([p.name for p in self.folder.iterdir()], ["bar.lua"])
 
+    def test_check_knows_the_steps_of_stages_in_time(self):
+        self.deck('''stage "shake" { solve = dynamic { duration = 0.1, record_every = 0.1 } }
+            stage "heat" { apply = { fixed_temperature { surface = "left", value = 20*degC } },
+                           solve = thermal { duration = 1e7 } }''')
+        planned = self.ashlar("check", "bar.lua")
+        self.assertEqual(planned.returncode, 0, planned.stderr)
+        self.assertEqual(self.ashlar("run", "bar.lua").returncode, 0)
+        stages = json.loads((self.folder / "bar.run/manifest.json").read_text(encoding="utf-8"))["stages"]
+        for stage in stages[:2]:
+            self.assertIn(f"stage {stage['name']}: {stage['steps']:,} steps of ".replace(",", " "), planned.stdout)
+
     def test_a_terminal_gets_one_live_line(self):
         self.deck(ENDLESS)
         controller, terminal = pty.openpty()
