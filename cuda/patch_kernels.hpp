@@ -107,7 +107,7 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<Real
         x[c][k] = place[c * capacity + entry[k]];
         u[c][k] = moved[c * capacity + entry[k]];
       }
-    element_force<Element, Warm>(law, x, u, StoredWarming<Real>{body.warming, batch, element}, f);
+    element_force<Element, Warm>(law, x, u, StoredPoints<Real>{body, batch, element}, f);
     ASHLAR_UNROLL
     for (int k = 0; k < corners; ++k)
       ASHLAR_UNROLL

@@ -17,6 +17,14 @@ void Backend::relax(const Controls& controls, int steps) {
       run(phase, controls);
 }
 
+std::vector<int> Setup::first_history() const {
+  std::vector<int> first{0};
+  for (const Batch& batch : discretisation.batches)
+    first.push_back(first.back() +
+                    (history_size(laws[batch.material]) > 0 ? batch.element_count * gauss_count(batch.shape) : 0));
+  return first;
+}
+
 const char* phase_name(Phase phase) {
   switch (phase) {
     case Phase::block_force: return "block_force";
@@ -30,6 +38,7 @@ const char* phase_name(Phase phase) {
     case Phase::block_stress: return "block_stress";
     case Phase::spring_utilisation: return "spring_utilisation";
     case Phase::spring_crossing: return "spring_crossing";
+    case Phase::advance_history: return "advance_history";
     case Phase::break_springs: return "break_springs";
     case Phase::heat_flow: return "heat_flow";
     case Phase::step_heat: return "step_heat";

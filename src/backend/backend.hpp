@@ -29,6 +29,7 @@ enum class Phase : std::uint8_t {
   spring_utilisation,    ///< share of its strength that each contact point uses, into Field::utilisation
   spring_crossing,       ///< where between Field::displacement_before and now it reached its strength, into
                          ///< Field::utilisation
+  advance_history,       ///< what Gauss points remember, moved on to the present displacement
   break_springs,         ///< cracks contact points at or above Controls::break_threshold
   heat_flow,             ///< conduction and film at the present temperature, into Field::heat_flow
   step_heat,             ///< temperature after Controls::time_step, held nodes kept
@@ -61,6 +62,7 @@ enum class Field : std::uint8_t {
   fixed,                ///< [block nodes] bits 0 1 2: x y z held
   stiffness,            ///< [block nodes] N/m, row-sum bound, largest of the three directions
   warming,              ///< [Gauss points] K above the reference temperature
+  history,              ///< [numbers a point remembers][Gauss points that remember], see Setup::first_history
   stress,               ///< [6 * Gauss points] Pa
   slip,                 ///< [3 * contact points] m
   contact_state,        ///< [contact points] ContactState as a number
@@ -144,10 +146,14 @@ struct BalanceMeasure {
 struct Setup {
   const Discretisation& discretisation;
   const ContactPoints& contacts;                  ///< block nodes numbered as in Blocks
-  std::vector<BlockLaw> laws;                     ///< [materials]
-  std::vector<SpringLaw<double>> interface_laws;  ///< [interfaces]
+  std::vector<BlockLaw> laws{};                     ///< [materials]
+  std::vector<char> bbar{};                         ///< [materials] whether elements that can are B-bar
+  std::vector<SpringLaw<double>> interface_laws{};  ///< [interfaces]
   std::vector<double> conductivity{};             ///< [materials] W/(m K); empty: no thermal stages
   double reference_temperature = 0;               ///< degC
+
+  /// [batches + 1] Gauss points that remember: first of each batch, Gauss points in a batch as in Batch::gauss.
+  std::vector<int> first_history() const;
 };
 
 class Backend {

@@ -12,6 +12,26 @@ namespace ashlar {
 
 namespace {
 
+/// The Gauss points of the elements in one pack; unused lanes repeat the last element.
+template <class V, class Real>
+struct PackedPoints {
+  const BodyView<Real>& body;
+  const BatchView& batch;
+  int first, used;
+  int element(int lane) const { return first + std::min(lane, used - 1); }
+  V warming(int g) const {
+    V w;
+    for (int l = 0; l < lane_count<V>; ++l) w.lanes[l] = body.warming[batch.gauss(element(l), g)];
+    return w;
+  }
+  template <class History>
+  void read_history(int g, History& h) const {
+    for (int c = 0; c < h.size; ++c)
+      for (int l = 0; l < lane_count<V>; ++l)
+        h[c].lanes[l] = body.history[c * body.history_stride + batch.history(element(l), g)];
+  }
+};
+
 /// Memory and loops of the CPU.
 class CpuExec {
  public:
@@ -131,13 +151,7 @@ class CpuExec {
             u[c][k].lanes[lane] = at[4 + c];
           }
         }
-      const auto warming = [&](int g) {
-        V w;
-        for (int lane = 0; lane < width; ++lane)
-          w.lanes[lane] = body.warming[batch.gauss(i + std::min(lane, used - 1), g)];
-        return w;
-      };
-      element_force<Element, Warm>(law, x, u, warming, f);
+      element_force<Element, Warm>(law, x, u, PackedPoints<V, Real>{body, batch, i, used}, f);
       for (int lane = 0; lane < used; ++lane)
         for (int k = 0; k < corners; ++k) {
           Real* at = sum + 4 * nodes.corner_entry[batch.slot(i + lane, corners, k)];

@@ -29,7 +29,17 @@ struct Pack {
     for (int i = 0; i < width; ++i) r.lanes[i] = fma(a.lanes[i], b.lanes[i], c.lanes[i]);
     return r;
   }
+  friend ASHLAR_HD Pack root(Pack a) {
+    Pack r;
+    for (int i = 0; i < width; ++i) r.lanes[i] = root(a.lanes[i]);
+    return r;
+  }
+  friend ASHLAR_HD T lane(Pack a, int i) { return a.lanes[i]; }
+  friend ASHLAR_HD void set_lane(Pack& a, int i, T value) { a.lanes[i] = value; }
 };
+
+template <class T, int width>
+inline constexpr int lane_count<Pack<T, width>> = width;
 
 template <class T, int width>
 struct ScalarOf<Pack<T, width>> {

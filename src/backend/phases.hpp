@@ -12,15 +12,13 @@
 #include "backend/motion_lane.hpp"
 #include "backend/node_set.hpp"
 #include "kernels/block_force.hpp"
+#include "kernels/element_types.hpp"
 #include "kernels/gather.hpp"
 #include "kernels/move_nodes.hpp"
 #include "kernels/relaxation_sums.hpp"
 #include "kernels/spring_advance.hpp"
 #include "kernels/spring_break.hpp"
 #include "kernels/spring_force.hpp"
-#include "physics/shapes/hex8.hpp"
-#include "physics/shapes/tet4.hpp"
-#include "physics/shapes/wedge6.hpp"
 
 /// Every phase once, for any machine. Exec brings memory and a parallel for:
 ///   template <class T> using Array: resize(n), upload(span), download(span), data()
@@ -119,6 +117,8 @@ class Phases final : public Backend {
       : exec_(std::move(exec)),
         discretisation_(setup.discretisation),
         laws_(setup.laws),
+        bbar_(setup.bbar),
+        first_history_(setup.first_history()),
         blocks_(setup.discretisation.blocks),
         springs_(setup),
         heat_(setup) {
@@ -136,6 +136,9 @@ class Phases final : public Backend {
     partial_.resize(3 * std::size_t(d.blocks.entry_count()));
     warming_.resize(d.gauss_count);
     stress_.resize(6 * std::size_t(d.gauss_count));
+    int remembered = 0;
+    for (const BlockLaw& law : laws_) remembered = std::max(remembered, history_size(law));
+    history_.resize(remembered * std::size_t(first_history_.back()));
     groups_.group_count = static_cast<int>(nodes);
     damping_.resize(1);
     exec_.set_patches(d);
@@ -151,7 +154,9 @@ class Phases final : public Backend {
              .corner_force = corner_force_.data(),
              .partial = partial_.data(),
              .warming = warming_.data(),
-             .stress = stress_.data()};
+             .stress = stress_.data(),
+             .history = history_.data(),
+             .history_stride = first_history_.back()};
   }
 
   std::string name() const override { return exec_.name(); }
@@ -189,6 +194,8 @@ class Phases final : public Backend {
       case Phase::block_stress:
         return each_batch([&](auto element, auto law, int b) { block_stress(element, law, b); });
       case Phase::spring_force: return spring_force();
+      case Phase::advance_history:
+        return each_batch([&](auto element, auto law, int b) { advance_history(element, law, b); });
       case Phase::spring_utilisation:
         return exec_.for_each(contact_count(),
                               SpringUtilisation<Real>{springs_.view(), body_.u, springs_.utilisation.data()});
@@ -282,13 +289,6 @@ class Phases final : public Backend {
  private:
   template <class T>
   using Array = typename Exec::template Array<T>;
-  /// An element type as a value, for generic lambdas.
-  template <template <class> class E>
-  struct ElementTag {
-    template <class V>
-    using Element = E<V>;
-  };
-
   BalanceView<Real> balance_view() { return balance_.view(body_, groups_); }
   int node_count() const { return body_.nodes.node_count; }
   int contact_count() const { return springs_.view().contact_count; }
@@ -347,19 +347,15 @@ class Phases final : public Backend {
       const Batch& batch = discretisation_.batches[b];
       std::visit(
           [&](const auto& law) {
-            const auto point = law.template prepare<Real>();
-            switch (batch.shape) {
-              case Shape::hex8: return work(ElementTag<Hex8>{}, point, b);
-              case Shape::wedge6: return work(ElementTag<Wedge6>{}, point, b);
-              case Shape::tet4: return work(ElementTag<Tet4>{}, point, b);
-            }
+            with_element(batch.shape, bbar_[batch.material],
+                         [&](auto element) { work(element, law.template prepare<Real>(), b); });
           },
           laws_[batch.material]);
     }
   }
   BatchView batch_view(int b) const {
     const Batch& batch = discretisation_.batches[b];
-    return {batch.element_count, batch.first_slot, batch.first_gauss};
+    return {batch.element_count, batch.first_slot, batch.first_gauss, first_history_[b]};
   }
 
   template <template <class> class E, class Point>
@@ -367,7 +363,7 @@ class Phases final : public Backend {
     if (warm_)
       exec_.template block_forces<E, true>(body_, batch_view(b), law, discretisation_, b);
     else
-      cold_forces(ElementTag<E>{}, law, b, body_);
+      exec_.template block_forces<E, false>(body_, batch_view(b), law, discretisation_, b);
   }
   template <template <class> class E, class Point>
   void block_stress(ElementTag<E>, const Point& law, int b) {
@@ -376,6 +372,16 @@ class Phases final : public Backend {
       exec_.for_each(batch.element_count, BlockStress<E, Point, Real, true>{body_, batch, law});
     else
       exec_.for_each(batch.element_count, BlockStress<E, Point, Real, false>{body_, batch, law});
+  }
+  template <template <class> class E, class Point>
+  void advance_history(ElementTag<E>, const Point& law, int b) {
+    const BatchView batch = batch_view(b);
+    if constexpr (Point::history_size > 0) {
+      if (warm_)
+        exec_.for_each(batch.element_count, AdvanceHistory<E, Point, Real, true>{body_, batch, law});
+      else
+        exec_.for_each(batch.element_count, AdvanceHistory<E, Point, Real, false>{body_, batch, law});
+    }
   }
   void gather_boundary(Real* sum) {
     exec_.for_each(discretisation_.blocks.boundary_count(), GatherBoundary<Real, 3>{body_.nodes, body_.partial, sum});
@@ -390,7 +396,7 @@ class Phases final : public Backend {
     BodyView<Real> moved = body_;
     moved.u = view.direction;
     moved.force = view.product;
-    each_batch([&](auto element, const auto& law, int b) { cold_forces(element, law, b, moved); });
+    each_batch([&](auto element, const auto& law, int b) { elastic_forces(element, law.elastic(), b, moved); });
     gather_boundary(view.product);
     SpringView<Real> springs = springs_.view();
     springs.slip = no_slip_.data();
@@ -401,15 +407,15 @@ class Phases final : public Backend {
     BodyView<Real> moved = body_;
     moved.u = u_before_.data();
     moved.force = motion_.scale_velocity(exec_, body_, factor, u_before_.data());
-    each_batch([&](auto element, const auto& law, int b) { cold_forces(element, law, b, moved); });
+    each_batch([&](auto element, const auto& law, int b) { elastic_forces(element, law.elastic(), b, moved); });
     gather_boundary(moved.force);
   }
   template <template <class> class E, class Point>
-  void cold_forces(ElementTag<E>, const Point& law, int b, const BodyView<Real>& body) {
+  void elastic_forces(ElementTag<E>, const Point& law, int b, const BodyView<Real>& body) {
     exec_.template block_forces<E, false>(body, batch_view(b), law, discretisation_, b);
   }
   void stiffness_bound() {
-    each_batch([&](auto element, const auto& law, int b) { bound_batch(element, law, b); });
+    each_batch([&](auto element, const auto& law, int b) { bound_batch(element, law.elastic(), b); });
     exec_.for_each(body_.nodes.entry_count,
                    GatherPatch<Real, 3>{body_.nodes, body_.corner_force, body_.partial, body_.force});
     gather_boundary(body_.force);
@@ -432,6 +438,7 @@ class Phases final : public Backend {
       case Field::stiffness: return visit(self.stiffness_);
       case Field::warming: return visit(self.warming_);
       case Field::stress: return visit(self.stress_);
+      case Field::history: return visit(self.history_);
       case Field::fixed: return visit(self.fixed_);
       case Field::slip: return visit(self.springs_.slip);
       case Field::contact_state: return visit(self.springs_.state);
@@ -464,6 +471,8 @@ class Phases final : public Backend {
   Exec exec_;
   const Discretisation& discretisation_;
   std::vector<BlockLaw> laws_;
+  std::vector<char> bbar_;
+  std::vector<int> first_history_;
   NodeSet<Exec> blocks_;
   Springs<Exec, Real> springs_;
   BalanceLane<Exec, Real> balance_;
@@ -472,7 +481,7 @@ class Phases final : public Backend {
   HeatLane<Exec, Real> heat_;
   MotionLane<Exec, Real> motion_;
   Array<Real> x_, u_, v_, load_, force_, kept_force_, u_before_, inverse_mass_, stiffness_, corner_force_, partial_,
-      warming_, stress_;
+      warming_, stress_, history_;
   Array<std::uint8_t> fixed_;
   std::array<double, relaxation_sum_count> relaxation_sums_{};
   BodyView<Real> body_;

@@ -51,7 +51,12 @@ inline constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), tr
 inline constexpr Range not_negative{0.0, std::numeric_limits<double>::infinity(), false};
 }  // namespace range
 
+/// Default of a key that may be left out and then has no value.
+inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+inline bool given(double value) { return value == value; }
+
 /// One number of a law: its name in decks, member, dimension, range, default (none: required) and what it means.
+/// A choice among words is the number of the word.
 template <class Law>
 struct LawKey {
   const char* name;
@@ -60,6 +65,7 @@ struct LawKey {
   Range range;
   std::optional<double> fallback;
   const char* doc;
+  std::span<const char* const> choices{};
 };
 
 /// The same without the member: what the deck schema sees.
@@ -69,6 +75,12 @@ struct Key {
   Range range;
   std::optional<double> fallback;
   std::string doc;
+  std::vector<std::string> choices;
+};
+
+/// What is wrong with the numbers of a law together; `key` may be empty.
+struct LawComplaint {
+  std::string key, message;
 };
 
 /// A law as the deck sees it.
@@ -81,7 +93,8 @@ struct LawDoc {
 template <class Law>
 LawDoc law_doc() {
   LawDoc d{Law::name, Law::doc, {}};
-  for (const auto& k : Law::keys) d.keys.push_back({k.name, k.dimension, k.range, k.fallback, k.doc});
+  for (const auto& k : Law::keys)
+    d.keys.push_back({k.name, k.dimension, k.range, k.fallback, k.doc, {k.choices.begin(), k.choices.end()}});
   return d;
 }
 

@@ -30,4 +30,16 @@ struct ScalarOf {
 template <class V>
 using Scalar = typename ScalarOf<V>::type;
 
+/// Lanes of a number type, for the few things that are done lane by lane; packs bring their own.
+template <class V>
+inline constexpr int lane_count = 1;
+template <class T>
+ASHLAR_HD T lane(T a, int) {
+  return a;
+}
+template <class T>
+ASHLAR_HD void set_lane(T& a, int, T value) {
+  a = value;
+}
+
 }  // namespace ashlar

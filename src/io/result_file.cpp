@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "physics/laws/laws.hpp"
+
 namespace ashlar {
 
 namespace {
@@ -28,6 +30,7 @@ const std::vector<Field> result_fields{
     {"principal_stress",
      {"principal_stress", false, 3, Type::real, "Pa", {"largest", "middle", "smallest"}},
      &Snapshot::principal_stress},
+    {"plastic_strain", {"plastic_strain", false, 1, Type::real, ""}, &Snapshot::plastic_strain},
 };
 const std::vector<Field> interface_fields{
     {"displacement", {"displacement", true, 3, Type::real, "m", {"x", "y", "z"}}, &Snapshot::displacement},
@@ -152,14 +155,20 @@ class Values {
 }  // namespace
 
 const std::vector<std::string>& recordable_names() {
-  static const std::vector<std::string> names{"displacement", "temperature", "stress",   "principal_stress",
-                                              "opening",      "slip",        "traction", "broken"};
+  static const std::vector<std::string> names{"displacement",   "temperature", "stress", "principal_stress",
+                                              "plastic_strain", "opening",     "slip",   "traction",
+                                              "broken"};
   return names;
 }
 
 std::vector<std::string> recorded_names(const Model& model) {
-  if (model.outputs.empty()) return recordable_names();
   std::vector<std::string> names;
+  if (model.outputs.empty()) {
+    bool plastic = false;
+    for (const auto& material : model.materials) plastic = plastic || is_plastic(material.law);
+    for (const auto& name : recordable_names())
+      if (plastic || name != "plastic_strain") names.push_back(name);
+  }
   for (const auto& output : model.outputs)
     for (const auto& name : output.record) {
       if (!contains(recordable_names(), name))

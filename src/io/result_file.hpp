@@ -13,6 +13,7 @@ namespace ashlar {
 ///   displacement      results: displacement [m] per node;  interfaces: displacement [m] per corner, mean of both sides
 ///   temperature       results: temperature [degC] per node; the reference temperature until a stage has computed one
 ///   stress            results: stress [Pa] per element and nodal_stress [Pa] per node, components xx yy zz xy yz zx
+///   plastic_strain    results: equivalent plastic strain per element
 ///   principal_stress  results: principal_stress [Pa] per element, most tensile first
 ///   opening, slip     interfaces: [m] per corner
 ///   traction          interfaces: normal_traction (tension positive) and shear_traction (magnitude) [Pa] per corner

@@ -97,6 +97,7 @@ struct Material {
   std::optional<double> conductivity;         ///< W/(m K), needed by thermal stages
   std::optional<double> heat_capacity;        ///< J/(kg K), needed by transient thermal stages
   std::map<std::string, double> values;       ///< keys of the law (physics/laws)
+  std::optional<bool> bbar;                   ///< elements that do not lock; without: for laws that remember
 };
 
 /// `joint "base" { between = {"dam","rock"}, law = ... }` and `crackable "body" { region = "dam", law = ... }`.
@@ -158,7 +159,10 @@ struct Relaxation {
   long max_steps = 0;                         ///< 0: a million
   bool search = true;                         ///< conjugate gradients to the elastic balance first, where all contacts are bonded
 };
-struct StaticSolve { Relaxation relaxation; };
+struct StaticSolve {
+  Relaxation relaxation;
+  int increments = 0;                         ///< of what is out of balance at the start; 0: 1, or 20 with plastic materials
+};
 struct ThermalSolve {
   bool steady = false;
   double duration = 0;                        ///< s, transient

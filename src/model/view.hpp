@@ -40,9 +40,11 @@ struct GroupView {
 struct BatchView {
   int element_count = 0;
   int first_slot = 0, first_gauss = 0;
+  int first_history = 0;  ///< of the Gauss points that remember, its first
   /// Corner slot and Gauss point of the batch's element i.
   ASHLAR_HD int slot(int i, int corners, int k) const { return first_slot + i * corners + k; }
   ASHLAR_HD int gauss(int i, int g) const { return first_gauss + g * element_count + i; }
+  ASHLAR_HD int history(int i, int g) const { return first_history + g * element_count + i; }
 };
 
 /// The mechanical lane. Vectors are packed x y z per node.
@@ -61,6 +63,8 @@ struct BodyView {
   Real* partial = nullptr;              ///< [3 * entries] sums of one patch, for nodes on patch boundaries
   const Real* warming = nullptr;        ///< [Gauss points] T - T_reference, K
   Real* stress = nullptr;               ///< [6 * Gauss points] Pa, xx yy zz xy yz zx
+  Real* history = nullptr;              ///< [numbers a point remembers][Gauss points that remember]
+  int history_stride = 0;               ///< Gauss points that remember
 };
 
 }  // namespace ashlar

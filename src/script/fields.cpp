@@ -145,7 +145,7 @@ class FieldReader {
     if (!found_.empty()) return std::nullopt;
     if (law)
       for (const auto& key : law->keys)
-        if (fields_.has(key.name)) fields_.law_values[key.name] = fields_.number(key.name);
+        if (fields_.has(key.name)) fields_.law_values[key.name] = law_value(key);
     return fields_;
   }
 
@@ -153,6 +153,13 @@ class FieldReader {
   void complain(const std::string& key, const std::string& message) {
     const Where where = key.empty() ? fields_.where : sandbox_.where(noun_.name, name_, key);
     found_.emplace_back(where, title(noun_.name, name_) + ": " + message);
+  }
+
+  /// Words are given to laws by their number.
+  double law_value(const Key& key) const {
+    if (key.choices.empty()) return fields_.number(key.name);
+    const auto word = std::find(key.choices.begin(), key.choices.end(), fields_.text(key.name));
+    return static_cast<double>(word - key.choices.begin());
   }
 
   void unknown_keys(int table, const std::vector<KeyRule>& rules, const std::vector<LawDoc>& laws, const LawDoc* law) {

@@ -3,6 +3,7 @@
 #include <regex>
 
 #include "base/nearest_name.hpp"
+#include "physics/laws/laws.hpp"
 #include "script/deck_reader.hpp"
 
 namespace ashlar {
@@ -230,7 +231,7 @@ int add_solve(const Call& c) {
       c.solves.emplace_back(FractureSolve{f.text("from"), f.text("to"), f.integer("increments"), relaxation(f),
                                           static_cast<long>(f.number("max_events"))});
     else
-      c.solves.emplace_back(StaticSolve{relaxation(f)});
+      c.solves.emplace_back(StaticSolve{relaxation(f), static_cast<int>(f.maybe("increments").value_or(0))});
   }
   return static_cast<int>(c.solves.size()) - 1;
 }
@@ -333,8 +334,18 @@ int add_to_deck(Deck& deck, std::vector<Solve>& solves, const NounRule& noun, co
     model.where = f.where;
     model.reference_temperature = f.number("reference_temperature");
   } else if (noun.name == "material") {
-    model.materials.push_back({name, f.where, f.texts("region"), f.text("law"), f.number("density"),
-                               f.maybe("conductivity"), f.maybe("heat_capacity"), f.law_values});
+    Material material{name,
+                      f.where,
+                      f.texts("region"),
+                      f.text("law"),
+                      f.number("density"),
+                      f.maybe("conductivity"),
+                      f.maybe("heat_capacity"),
+                      f.law_values,
+                      {}};
+    if (f.has("formulation")) material.bbar = f.text("formulation") == "bbar";
+    for (const auto& found : law_complaints(material.law, material.values)) call.complain(found.key, found.message);
+    model.materials.push_back(material);
   } else if (noun.name == "output") {
     model.outputs.push_back({name, f.where, f.texts("record"), f.text("at") == "increment" ? f.integer("every") : 0});
   } else if (noun.name == "picture") {

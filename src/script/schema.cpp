@@ -79,7 +79,7 @@ std::vector<std::string> recorded_names(bool Recorded::*where) {
 }
 std::vector<std::string> pictured_names() {
   return {"broken",         "temperature",      "displacement", "displacement.x", "displacement.y",
-          "displacement.z", "principal_stress", "stress.xx",    "stress.yy",      "stress.zz",
+          "displacement.z", "principal_stress", "plastic_strain", "stress.xx",    "stress.yy",      "stress.zz",
           "stress.xy",      "stress.yz",        "stress.zx"};
 }
 std::vector<std::string> history_names() {
@@ -100,6 +100,7 @@ const std::vector<Recorded>& recorded() {
       {"temperature", dimension::temperature, {}, true, false, true},
       {"stress", dimension::pressure, tensor, true, false, true},
       {"principal_stress", dimension::pressure, {}, false, false, true},
+      {"plastic_strain", dimension::none, {}, true, false, true},
       {"opening", dimension::length, {}, false, false, true},
       {"slip", dimension::length, {}, false, false, true},
       {"traction", dimension::pressure, {}, false, false, true},
@@ -227,7 +228,11 @@ const std::vector<NounRule>& nouns() {
                 number("conductivity", dimension::conductivity, range::positive,
                        "heat conduction; needed by thermal stages"),
                 number("heat_capacity", dimension::heat_capacity, range::positive,
-                       "heat per mass; needed by transient thermal stages")},
+                       "heat per mass; needed by transient thermal stages"),
+                key("formulation", Type::choice,
+                    "full: every Gauss point has its own change of volume; bbar: that of the element's mean, for hex8 "
+                    "and wedge6 (full locks in plastic flow and near poisson = 0.5); bbar for plastic laws unless given")
+                    .of({"full", "bbar"})},
        .example =
            R"(material "concrete" { region = "dam", density = 2400*kg/m^3, young = 30*GPa, poisson = 0.2, expansion = 9e-6/K })",
        .laws = Laws::material},
@@ -385,8 +390,11 @@ const std::vector<NounRule>& nouns() {
       {.name = "static",
        .kind = NounKind::solve,
        .naming = Naming::none,
-       .doc = "Equilibrium by dynamic relaxation.",
-       .keys = relaxation_keys(),
+       .doc = "Equilibrium by dynamic relaxation. What the stage changes (loads, supports, displacements, temperature) "
+              "comes in increments where plastic flow depends on the path.",
+       .keys = Keys{key("increments", Type::integer,
+                        "equal parts in which the change comes; 20 with a plastic material, else 1, unless given")} +
+               relaxation_keys(),
        .example = R"(stage "gravity" { solve = static { tolerance = 1e-6 } })"},
       {.name = "thermal",
        .kind = NounKind::solve,
@@ -451,7 +459,7 @@ const std::vector<NounRule>& nouns() {
        .keys = {key("at", Type::vector, "the point; give this or `surface`").in(dimension::length),
                 key("surface", Type::text, "the surface; give this or `at`"),
                 key("record", Type::choices,
-                    "at a point: displacement, velocity, temperature, stress; over a surface: reaction, load, "
+                    "at a point: displacement, velocity, temperature, stress, plastic_strain; over a surface: reaction, load, "
                     "load_moment; with neither: energy, of dynamic stages")
                     .of(history_names())
                     .need()},
@@ -513,8 +521,14 @@ std::vector<LawDoc> laws_of(const NounRule& noun) {
 
 KeyRule rule_of(const Key& law_key) {
   KeyRule rule = number(law_key.name.c_str(), law_key.dimension, law_key.range, law_key.doc.c_str());
-  rule.fallback = law_key.fallback;
   rule.required = !law_key.fallback;
+  if (!law_key.choices.empty()) {
+    rule.type = Type::choice;
+    rule.choices = law_key.choices;
+    if (law_key.fallback) rule.fallback_text = rule.choices[static_cast<std::size_t>(*law_key.fallback)];
+  } else if (law_key.fallback && given(*law_key.fallback)) {
+    rule.fallback = law_key.fallback;
+  }
   return rule;
 }
 

@@ -5,9 +5,7 @@
 
 #include "kernels/balance.hpp"
 #include "kernels/block_force.hpp"
-#include "physics/shapes/hex8.hpp"
-#include "physics/shapes/tet4.hpp"
-#include "physics/shapes/wedge6.hpp"
+#include "kernels/element_types.hpp"
 
 namespace ashlar {
 
@@ -60,12 +58,9 @@ class Assembly {
     for (const Batch& batch : d.batches)
       std::visit(
           [&](const auto& law) {
-            const auto point = law.template prepare<double>();
-            switch (batch.shape) {
-              case Shape::hex8: return add_batch<Hex8>(batch, point);
-              case Shape::wedge6: return add_batch<Wedge6>(batch, point);
-              case Shape::tet4: return add_batch<Tet4>(batch, point);
-            }
+            const auto point = law.template prepare<double>().elastic();
+            with_element(batch.shape, setup.bbar[batch.material],
+                         [&](auto element) { add_batch(element, batch, point); });
           },
           setup.laws[batch.material]);
   }
@@ -111,7 +106,7 @@ class Assembly {
   }
 
   template <template <class> class Element, class Point>
-  void add_batch(const Batch& batch, const Point& law) {
+  void add_batch(ElementTag<Element>, const Batch& batch, const Point& law) {
     constexpr int corners = Element<double>::corners;
     const Discretisation& d = problem_.discretisation;
     for (int e = 0; e < batch.element_count; ++e) {
@@ -132,7 +127,7 @@ class Assembly {
             const Vec3<double> m = aggregates_.aggregate[nodes[q]] == a ? mode(nodes[q], k) : Vec3<double>{};
             for (int c = 0; c < 3; ++c) u[c][q] = m[c];
           }
-          element_force<Element, false>(law, x, u, 0, f);
+          element_force<Element, false>(law, x, u, NoPoints{}, f);
           for (const int b : touched)
             for (int l = 0; l < rigid_modes; ++l) {
               double value = 0;

@@ -32,6 +32,7 @@ Fracture::Fracture(const Problem& problem, FractureLinks links, long max_events)
       max_events_(max_events),
       contacts_(problem),
       cracks_(problem),
+      plastic_(problem.backend->size(Field::history) > 0),
       size_(size_of(problem.discretisation.block_points)) {}
 
 bool Fracture::stop(const std::string& reason) {
@@ -48,8 +49,14 @@ void Fracture::restore(const State& state) {
   problem_.backend->write(Field::slip, state.slip);
 }
 
-void Fracture::keep(double factor, bool smooth) {
+/// What depends on the path takes the present equilibrium as the one to go on from.
+void Fracture::move_on() {
   cracks_.keep_slip();
+  if (plastic_) problem_.backend->run(Phase::advance_history);
+}
+
+void Fracture::keep(double factor, bool smooth) {
+  move_on();
   State now = present(factor);
   if (smooth && !kept_.displacement.empty() && factor > kept_.factor) {
     rate_.resize(now.displacement.size());
@@ -96,8 +103,9 @@ bool Fracture::relax() {
   std::size_t floating_before = 0;
   bool stopped = false;
   const auto watch = [&](long step, double) {
-    if (!cracks_.can_separate() || step % support_interval != 0) return false;
+    if (step % support_interval != 0 || !(cracks_.can_separate() || plastic_)) return false;
     if (moved() > runaway * size_) return stopped = !stop("moves without limit");
+    if (!cracks_.can_separate()) return false;
     // A body that lost its hold may fall back on its neighbours: it floats away if nothing holds it at two looks in a
     // row.
     const auto floating = free_bodies(problem_, contacts_.read()).size();
@@ -123,7 +131,7 @@ bool Fracture::settle(double load_factor) {
   if (!relax()) return false;
   while (cracks_.largest_utilisation() >= 1) {
     if (static_cast<long>(events_.size()) >= max_events_) return stop("event limit");
-    cracks_.keep_slip();
+    move_on();
     events_.push_back(cracks_.break_worst_group(load_factor));
     if (links_.cracked) links_.cracked(events_.back(), cracks_.cracked_fraction());
     if (!relax()) return false;

@@ -60,6 +60,7 @@ class Fracture {
   bool hold_free_bodies();
   bool reach(double factor);
   double first_crossing(const State& high);
+  void move_on();
   std::optional<double> reach_first_crack(State high, double used);
   bool stop(const std::string& reason);
   void keep(double factor, bool smooth);
@@ -69,6 +70,7 @@ class Fracture {
   long max_events_;
   ContactReader contacts_;
   CrackEvents cracks_;
+  bool plastic_;              ///< some law remembers
   double size_;               ///< m, of the whole body
   State kept_;                ///< the last equilibrium without over-strength
   std::vector<double> rate_;  ///< displacement per load factor over the last advance; empty at first

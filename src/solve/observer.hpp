@@ -21,6 +21,7 @@ struct Snapshot {
   std::vector<double> stress;             ///< [6 * elements] Pa, element mean: xx yy zz xy yz zx
   std::vector<double> nodal_stress;       ///< [6 * block nodes] Pa, Gauss-point extrapolation averaged by volume within one region and block
   std::vector<double> principal_stress;   ///< [3 * elements] Pa, of the element mean, largest (most tensile) first
+  std::vector<double> plastic_strain;     ///< [elements] equivalent plastic strain, element mean
   std::vector<double> opening;            ///< [contact points] m, normal gap, positive open
   std::vector<double> slip;               ///< [contact points] m, tangential relative displacement
   std::vector<double> normal_traction;    ///< [contact points] Pa, tension positive

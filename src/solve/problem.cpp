@@ -25,9 +25,10 @@ Problem::Problem(const Model& m, const RunOptions& options)
       backend(make_backend(setup(), options.precision, options.device, options.threads)) {}
 
 Setup Problem::setup() const {
-  Setup setup{discretisation, contacts, {}, {}};
+  Setup setup{discretisation, contacts};
   for (const Material& m : model.materials) {
     setup.laws.push_back(make_block_law(m.law, m.values));
+    setup.bbar.push_back(m.bbar.value_or(is_plastic(m.law)));
     setup.conductivity.push_back(m.conductivity.value_or(0));
   }
   setup.reference_temperature = model.reference_temperature;

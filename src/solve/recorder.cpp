@@ -6,6 +6,7 @@
 
 #include "model/loads.hpp"
 #include "solve/contact_states.hpp"
+#include "solve/plastic_output.hpp"
 #include "solve/stress_output.hpp"
 
 namespace ashlar {
@@ -87,6 +88,9 @@ void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
         table.columns.push_back(record + "." + c);
         table.units.push_back("Pa");
       }
+    } else if (at_point && record == "plastic_strain") {
+      table.columns.push_back(record);
+      table.units.push_back("1");
     } else if (on_surface && (record == "reaction" || record == "load")) {
       vector(record, "N");
     } else if (on_surface && record == "load_moment") {
@@ -94,7 +98,7 @@ void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
     } else {
       throw DeckError(probe.history->where,
                       "history '" + probe.history->name + "': cannot record '" + record + "' " +
-                          (at_point     ? "at a point; valid: displacement, velocity, temperature, stress"
+                          (at_point     ? "at a point; valid: displacement, velocity, temperature, stress, plastic_strain"
                            : on_surface ? "on a surface; valid: reaction, load, load_moment"
                                         : "of the whole model; valid: energy"));
     }
@@ -150,6 +154,8 @@ void Recorder::add_values(const Probe& probe, std::vector<double>& row) {
       backend.run(Phase::block_stress);
       const std::vector<double> stress = element_stress(problem_, backend.read(Field::stress));
       for (int c = 0; c < 6; ++c) row.push_back(stress[6 * static_cast<std::size_t>(probe.location.element) + c]);
+    } else if (record == "plastic_strain") {
+      row.push_back(element_plastic_strain(problem_)[probe.location.element]);
     } else if (record == "reaction") {
       // What the supports hold: internal force less load on held components.
       std::vector<double> support = problem_.to_blocks(backend.read(Field::force), 3);
@@ -198,6 +204,7 @@ void Recorder::snapshot(const Moment& moment) {
     s.stress = element_stress(problem_, gauss);
     s.nodal_stress = nodal_stress(problem_, gauss);
     s.principal_stress = principal_stress(s.stress);
+    s.plastic_strain = element_plastic_strain(problem_);
   }
   if (problem_.contacts.count() > 0) fill_contact_fields(ContactReader(problem_).read(), s);
   observer_.output(s);

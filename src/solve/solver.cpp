@@ -5,10 +5,12 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "solve/dynamic.hpp"
 #include "solve/elastic_start.hpp"
 #include "solve/fracture.hpp"
+#include "solve/plastic_output.hpp"
 #include "solve/recorder.hpp"
 #include "solve/relaxation.hpp"
 #include "solve/stage_conditions.hpp"
@@ -87,6 +89,8 @@ class Run {
     recorder_.motion({}, {});
     std::visit([this](const auto& how) { solve_stage(how); }, stage().solve);
     temperatures_at_end_[stage().name] = temperature_;
+    const double work_before = std::exchange(plastic_work_, plastic_work(problem_));
+    outcome_.dissipated_energy += plastic_work_ - work_before;
 
     record({stage_, stage_ + 1.0, outcome_.load_factor, true, outcome_.seconds, 0});
     outcome_.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -114,9 +118,8 @@ class Run {
 
   /// Outputs inside a stage: every n-th increment, every n-th record of a motion.
   bool wants_output(const Moment& moment) const {
-    const auto* fracture = std::get_if<FractureSolve>(&stage().solve);
-    if (!fracture && !is_dynamic(stage())) return false;
-    const long number = fracture ? std::lround(moment.load_factor * fracture->increments) : moment.record;
+    if (std::holds_alternative<ThermalSolve>(stage().solve)) return false;
+    const long number = is_dynamic(stage()) ? moment.record : std::lround(moment.load_factor * increments_);
     for (const Output& o : problem_.model.outputs)
       if (o.every > 0 && number % o.every == 0 && !moment.stage_end) return true;
     return false;
@@ -152,6 +155,7 @@ class Run {
       backend.write(Field::displacement, problem_.to_machine(u, 3));
     }
     std::vector<double> surface_load = problem_.to_machine(conditions.surface_load, 3);
+    surface_load_ = conditions.surface_load;
     recorder_.surface_load(std::move(conditions.surface_load));
     return surface_load;
   }
@@ -213,14 +217,65 @@ class Run {
     observer_.progress(p);
   }
 
+  /// Where a static stage begins; loads, displacements and temperature go on from there in equal parts.
+  struct Start {
+    std::vector<double> load, surface_load, force, displacement, temperature;
+  };
+
   void solve_stage(const StaticSolve& how) {
-    increment_ = increments_ = 0;
+    Backend& backend = *problem_.backend;
+    increment_ = 0;
+    increments_ = how.increments > 0 ? how.increments : backend.size(Field::history) > 0 ? usual_increments : 1;
+    evaluate_force(backend);
+    const Start start{backend.read(Field::load), surface_load_, backend.read(Field::force),
+                      backend.read(Field::displacement), body_temperature_};
     warm_body();
-    const FractureLinks links = set_up(how.relaxation);
-    thermal_load_ = warm_ ? thermal_load_norm(*problem_.backend) : 0;
-    Fracture fracture(problem_, links, max_static_events);
-    outcome_.converged = fracture.settle(1);
-    fracture.fill(outcome_);
+    FractureLinks links = set_up(how.relaxation);
+    thermal_load_ = warm_ ? thermal_load_norm(backend) : 0;
+    if (increments_ > 1) {
+      go_from(start, links);
+      Fracture fracture(problem_, links, max_static_events);
+      outcome_.converged = fracture.advance(increments_);
+      fracture.fill(outcome_);
+    } else {
+      increments_ = 0;
+      Fracture fracture(problem_, links, max_static_events);
+      outcome_.converged = fracture.settle(1);
+      fracture.fill(outcome_);
+    }
+  }
+
+  /// What is out of balance when the stage begins comes in proportion to the load factor: loads that it adds, supports
+  /// that it takes away; so do the displacements that it prescribes, and temperature.
+  void go_from(const Start& start, FractureLinks& links) {
+    Backend& backend = *problem_.backend;
+    const Start end{backend.read(Field::load), surface_load_, {}, backend.read(Field::displacement), body_temperature_};
+    const std::vector<double> fixed = backend.read(Field::fixed);
+    links.set_load_factor = [this, &backend, start, end, fixed](double factor) {
+      const auto between = [&](double a, double b) { return factor < 1 ? a + factor * (b - a) : b; };
+      std::vector<double> load = end.load, displacement = backend.read(Field::displacement);
+      for (std::size_t i = 0; i < load.size(); ++i) {
+        const bool held = (static_cast<unsigned>(fixed[i / 3]) >> i % 3) & 1u;
+        load[i] = between(held ? start.load[i] : start.force[i], load[i]);
+        if (held) displacement[i] = between(start.displacement[i], end.displacement[i]);
+      }
+      backend.write(Field::load, load);
+      backend.write(Field::displacement, displacement);
+      std::vector<double> surface_load = end.surface_load;
+      for (std::size_t i = 0; i < surface_load.size(); ++i)
+        surface_load[i] = between(start.surface_load.empty() ? 0 : start.surface_load[i], surface_load[i]);
+      recorder_.surface_load(std::move(surface_load));
+      if (start.temperature != end.temperature) {
+        std::vector<double> temperature = end.temperature;
+        for (std::size_t n = 0; n < temperature.size(); ++n)
+          temperature[n] = between(start.temperature[n], temperature[n]);
+        set_body_temperature(temperature);
+      }
+    };
+    links.increment_reached = [this](double factor) {
+      ++increment_;
+      if (factor < 1) record({stage_, stage_ + factor, factor, false});
+    };
   }
 
   void solve_stage(const FractureSolve& how) {
@@ -302,6 +357,7 @@ class Run {
   }
 
   static constexpr long max_static_events = 100000;
+  static constexpr int usual_increments = 20;  // of static stages with plastic materials
 
   Problem& problem_;
   Observer& observer_;
@@ -312,10 +368,12 @@ class Run {
   StageResult outcome_;
   std::vector<double> temperature_;       ///< of the body in time, degC, mesh nodes
   std::vector<double> body_temperature_;  ///< that stress sees: changed by static and fracture stages only
+  std::vector<double> surface_load_;  ///< N, the Blocks order, at the end of the present stage
   std::vector<double> shift_;  ///< body temperature less temperature: a fracture stage loads by a difference, and
                                ///< later stages go on from there
   std::map<std::string, std::vector<double>> temperatures_at_end_;
   double thermal_load_ = 0;
+  double plastic_work_ = 0;    ///< J, up to the end of the last stage
   double out_of_balance_ = 0;  ///< N, largest at the start of a relaxation of this stage
   int increment_ = 0, increments_ = 0;
   double relaxed_ = 0, cracked_fraction_ = 0;

@@ -4,6 +4,20 @@
 
 namespace ashlar {
 
+/// The keys of the elastic part, which every block law has.
+template <class Law>
+constexpr LawKey<Law> young_key{"young", &Law::young, dimension::pressure, range::positive, {}, "Young's modulus"};
+template <class Law>
+constexpr LawKey<Law> poisson_key{
+    "poisson", &Law::poisson, dimension::none, Range{-0.99, 0.4999}, {}, "Poisson's ratio"};
+template <class Law>
+constexpr LawKey<Law> expansion_key{"expansion",
+                                    &Law::expansion,
+                                    dimension::expansion,
+                                    range::not_negative,
+                                    0.0,
+                                    "coefficient of linear thermal expansion"};
+
 /// Linear isotropic elasticity with thermal strain (paper (3); numerics 4):
 /// sigma = lambda tr(eps - eps_T) I + 2 mu (eps - eps_T), eps_T = expansion (T - T_reference) I, T at the Gauss point.
 struct Elastic {
@@ -11,12 +25,7 @@ struct Elastic {
 
   static constexpr const char* name = "elastic";
   static constexpr const char* doc = "Linear isotropic elasticity with thermal strain; never fails.";
-  static constexpr LawKey<Elastic> keys[] = {
-      {"young", &Elastic::young, dimension::pressure, range::positive, {}, "Young's modulus"},
-      {"poisson", &Elastic::poisson, dimension::none, Range{-0.99, 0.4999}, {}, "Poisson's ratio"},
-      {"expansion", &Elastic::expansion, dimension::expansion, range::not_negative, 0.0,
-       "coefficient of linear thermal expansion"},
-  };
+  static constexpr LawKey<Elastic> keys[] = {young_key<Elastic>, poisson_key<Elastic>, expansion_key<Elastic>};
 
   double lambda() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
   double shear() const { return young / (2 * (1 + poisson)); }
@@ -25,13 +34,16 @@ struct Elastic {
   /// Constants of one material as kernels use them.
   template <class Real>
   struct Point {
+    static constexpr int history_size = 0;  ///< numbers that a point remembers
     Real lambda, shear, expansion;
-    /// Stress, Pa, from strain (engineering shear) and warming = T - T_reference, K.
+    ASHLAR_HD const Point& elastic() const { return *this; }
+    /// Strain less that of warming = T - T_reference, K.
     template <class V>
-    ASHLAR_HD Sym3<V> stress(const Sym3<V>& strain, const V& warming) const {
+    ASHLAR_HD Sym3<V> without_heat(const Sym3<V>& strain, const V& warming) const {
       const V free = V(expansion) * warming;
-      return stress(Sym3<V>{strain.xx - free, strain.yy - free, strain.zz - free, strain.xy, strain.yz, strain.zx});
+      return {strain.xx - free, strain.yy - free, strain.zz - free, strain.xy, strain.yz, strain.zx};
     }
+    /// Stress, Pa, from strain without heat (engineering shear).
     template <class V>
     ASHLAR_HD Sym3<V> stress(const Sym3<V>& e) const {
       const V pressure = V(lambda) * (e.xx + e.yy + e.zz);
@@ -48,6 +60,7 @@ struct Elastic {
   Point<Real> prepare() const {
     return {Real(lambda()), Real(shear()), Real(expansion)};
   }
+  std::vector<LawComplaint> complaints() const { return {}; }
 };
 
 }  // namespace ashlar

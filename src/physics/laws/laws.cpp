@@ -24,4 +24,14 @@ BlockLaw make_block_law(const std::string& name, const std::map<std::string, dou
   return make(name, values, static_cast<BlockLaws*>(nullptr));
 }
 
+std::vector<LawComplaint> law_complaints(const std::string& name, const std::map<std::string, double>& values) {
+  return std::visit([](const auto& law) { return law.complaints(); }, make_block_law(name, values));
+}
+
+bool is_plastic(const std::string& name) { return history_size(make_block_law(name, {})) > 0; }
+
+int history_size(const BlockLaw& law) {
+  return std::visit([](const auto& l) { return decltype(l.template prepare<double>())::history_size; }, law);
+}
+
 }  // namespace ashlar

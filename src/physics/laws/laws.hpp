@@ -5,12 +5,14 @@
 #include <variant>
 #include <vector>
 
+#include "physics/laws/drucker_prager.hpp"
 #include "physics/laws/elastic.hpp"
+#include "physics/laws/von_mises.hpp"
 
 /// The register of block laws. Adding one: its header, its name in this list, its test.
 namespace ashlar {
 
-using BlockLaws = std::tuple<Elastic>;
+using BlockLaws = std::tuple<Elastic, DruckerPrager, VonMises>;
 
 template <class>
 struct VariantOf;
@@ -40,5 +42,13 @@ Law make_law(const std::map<std::string, double>& values) {
 
 /// The law called `name`. Throws std::invalid_argument for a name that is not registered.
 BlockLaw make_block_law(const std::string& name, const std::map<std::string, double>& values);
+
+/// What is wrong with the values together.
+std::vector<LawComplaint> law_complaints(const std::string& name, const std::map<std::string, double>& values);
+
+/// Numbers that a Gauss point of the law remembers.
+int history_size(const BlockLaw& law);
+/// Whether the law called `name` has plastic flow, which depends on the path.
+bool is_plastic(const std::string& name);
 
 }  // namespace ashlar

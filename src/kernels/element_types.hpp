@@ -1,0 +1,25 @@
+#pragma once
+#include "model/mesh.hpp"
+#include "physics/bbar.hpp"
+
+namespace ashlar {
+
+/// An element type as a value, for generic lambdas.
+template <template <class> class E>
+struct ElementTag {
+  template <class V>
+  using Element = E<V>;
+};
+
+/// Calls work(element tag): the one place where shape and formulation become types.
+template <class Work>
+auto with_element(Shape shape, bool bbar, const Work& work) {
+  switch (shape) {
+    case Shape::hex8: return bbar ? work(ElementTag<Hex8BBar>{}) : work(ElementTag<Hex8>{});
+    case Shape::wedge6: return bbar ? work(ElementTag<Wedge6BBar>{}) : work(ElementTag<Wedge6>{});
+    case Shape::tet4: break;
+  }
+  return work(ElementTag<Tet4>{});
+}
+
+}  // namespace ashlar

@@ -1,0 +1,80 @@
+#pragma once
+#include "physics/gauss_table.hpp"
+
+/// Elements that do not lock where volume hardly changes (plastic flow, Poisson's ratio near 0.5): B-bar, the change of
+/// volume is that of the element's mean at every Gauss point (Hughes 1980), and so is the mean stress in its forces.
+namespace ashlar {
+
+template <class Base, class V>
+struct BBar : Base {
+  using S = Scalar<V>;
+  using Lines = GaussTable<Base>;
+  static constexpr int corners = Base::corners;
+
+  /// Corner forces, N; see Hex8::force.
+  template <class Stress>
+  ASHLAR_HD static void force(const V (&x)[3][corners], const V (&u)[3][corners], V (&f)[3][corners], Stress& stress) {
+    const V zero = V(S(0)), third = V(S(1.0 / 3));
+    const ElementGeometry<Base, V> geometry(x);
+    typename Lines::Table moved[3], shape_forces[3], volume_forces[3];
+    for (int i = 0; i < 3; ++i) {
+      moved[i] = Lines::of(u[i]);
+      for (int g = 0; g < Base::gauss_points; ++g) {
+        Lines::put(shape_forces[i], g, {zero, zero, zero});
+        Lines::put(volume_forces[i], g, {zero, zero, zero});
+      }
+    }
+    V volume = zero, growth = zero;
+    ASHLAR_UNROLL
+    for (int g = 0; g < Base::gauss_points; ++g) {
+      const Jacobian<V> j = geometry.jacobian_at(g);
+      volume = volume + j.det;
+      for (int i = 0; i < 3; ++i) {
+        const Vec3<V> h = Lines::at(moved[i], g), side{j.bc[i], j.ca[i], j.ab[i]};
+        growth = fma(h.z, side.z, fma(h.y, side.y, fma(h.x, side.x, growth)));
+        Lines::put(volume_forces[i], g, Lines::at(volume_forces[i], g) + side);
+      }
+    }
+    const V share = V(S(1)) / volume, dilatation = growth * share;
+    V pressure = zero;
+    ASHLAR_UNROLL
+    for (int g = 0; g < Base::gauss_points; ++g) {
+      const Jacobian<V> j = geometry.jacobian_at(g);
+      const Vec3<V> dx = Lines::at(moved[0], g), dy = Lines::at(moved[1], g), dz = Lines::at(moved[2], g);
+      const V inverse = V(S(1)) / j.det;
+      Sym3<V> strain = strain_times_det(j, Vec3<V>{dx.x, dy.x, dz.x}, Vec3<V>{dx.y, dy.y, dz.y},
+                                        Vec3<V>{dx.z, dy.z, dz.z});
+      for (int i = 0; i < 6; ++i) strain[i] = strain[i] * inverse;
+      const V correction = third * (dilatation - (strain.xx + strain.yy + strain.zz));
+      for (int i = 0; i < 3; ++i) strain[i] = strain[i] + correction;
+      Sym3<V> s = stress(g, strain);
+      const V mean = third * (s.xx + s.yy + s.zz);
+      pressure = fma(mean, j.det, pressure);
+      for (int i = 0; i < 3; ++i) s[i] = s[i] - mean;
+      Vec3<V> a{zero, zero, zero}, b = a, c = a;
+      add_traction(s, j.bc, a);
+      add_traction(s, j.ca, b);
+      add_traction(s, j.ab, c);
+      for (int i = 0; i < 3; ++i)
+        Lines::put(shape_forces[i], g, Lines::at(shape_forces[i], g) + Vec3<V>{a[i], b[i], c[i]});
+    }
+    pressure = pressure * share;
+    for (int i = 0; i < 3; ++i) {
+      V from_volume[corners];
+      Lines::to_corners(shape_forces[i], f[i]);
+      Lines::to_corners(volume_forces[i], from_volume);
+      for (int k = 0; k < corners; ++k) f[i][k] = fma(pressure, from_volume[k], f[i][k]);
+    }
+  }
+};
+
+template <class V>
+struct Hex8BBar : BBar<Hex8<V>, V> {};
+template <class V>
+struct Wedge6BBar : BBar<Wedge6<V>, V> {};
+template <class V>
+struct GaussTable<Hex8BBar<V>> : GaussTable<Hex8<V>> {};
+template <class V>
+struct GaussTable<Wedge6BBar<V>> : GaussTable<Wedge6<V>> {};
+
+}  // namespace ashlar

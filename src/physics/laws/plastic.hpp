@@ -1,0 +1,59 @@
+#pragma once
+#include "physics/laws/elastic.hpp"
+
+/// What the plastic laws share. The state of a point is what it went through; stress follows from strain and state, so
+/// that a trial step that is taken back leaves nothing behind.
+namespace ashlar {
+
+template <class V>
+struct PlasticHistory {
+  static constexpr int size = 8;
+  Sym3<V> strain;   ///< plastic strain, engineering shear
+  V equivalent{};   ///< equivalent plastic strain: integral of sqrt(2/3 de:de), e the deviator of plastic strain
+  V dissipation{};  ///< plastic work, J/m^3
+  ASHLAR_HD V& operator[](int i) { return i < 6 ? strain[i] : i == 6 ? equivalent : dissipation; }
+  ASHLAR_HD const V& operator[](int i) const { return i < 6 ? strain[i] : i == 6 ? equivalent : dissipation; }
+};
+
+/// Stress of a strain without heat, elastic where `law.yields(trial stress, history)` says no; moves the history on.
+/// Lanes that yield are returned to the surface one by one, by `law.pull_back(stress, history)`.
+template <class Law, class V>
+ASHLAR_HD Sym3<V> plastic_stress(const Law& law, const Sym3<V>& strain, PlasticHistory<V>& history) {
+  Sym3<V> elastic_strain;
+  for (int i = 0; i < 6; ++i) elastic_strain[i] = strain[i] - history.strain[i];
+  Sym3<V> stress = law.elastic().stress(elastic_strain);
+  const auto test = law.test(stress);
+  for (int l = 0; l < lane_count<V>; ++l) {
+    if (!law.yields(test, history, l)) continue;
+    Sym3<Scalar<V>> s;
+    PlasticHistory<Scalar<V>> h;
+    for (int i = 0; i < 6; ++i) s[i] = lane(stress[i], l);
+    for (int i = 0; i < h.size; ++i) h[i] = lane(history[i], l);
+    law.pull_back(s, h);
+    for (int i = 0; i < 6; ++i) set_lane(stress[i], l, s[i]);
+    for (int i = 0; i < h.size; ++i) set_lane(history[i], l, h[i]);
+  }
+  return stress;
+}
+
+/// The two invariants that cones are made of.
+template <class V>
+struct Invariants {
+  V trace;  ///< I1
+  V shear;  ///< sqrt(J2)
+};
+template <class V>
+ASHLAR_HD Sym3<V> deviator(const Sym3<V>& s, const V& trace) {
+  const V mean = trace * V(Scalar<V>(1.0 / 3));
+  return {s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
+}
+template <class V>
+ASHLAR_HD Invariants<V> invariants(const Sym3<V>& s) {
+  const V trace = s.xx + s.yy + s.zz;
+  const Sym3<V> d = deviator(s, trace);
+  const V squares = fma(d.zz, d.zz, fma(d.yy, d.yy, d.xx * d.xx));
+  const V shears = fma(d.zx, d.zx, fma(d.yz, d.yz, d.xy * d.xy));
+  return {trace, root(fma(V(Scalar<V>(0.5)), squares, shears))};
+}
+
+}  // namespace ashlar

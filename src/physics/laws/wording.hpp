@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdio>
+#include <string>
+
+#include "physics/laws/cone.hpp"
+
+/// Complaints that several laws share.
+namespace ashlar {
+
+/// "'a' = 2 is above b = 1"
+inline std::string above(const char* key, double value, const char* other, double limit) {
+  char text[160];
+  std::snprintf(text, sizeof text, "'%s' = %.6g is above %s = %.6g", key, value, other, limit);
+  return text;
+}
+
+/// Softening faster than the elastic spring of the point itself has no static answer.
+inline void check_softening(const ConePoint<double>& p, double hardening, std::vector<LawComplaint>& found) {
+  const double bulk = p.part.lambda + p.part.shear * 2 / 3;
+  const double resistance = p.part.shear + 9 * bulk * p.slope * p.dilation;
+  if (p.hardening <= -resistance) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "'hardening' = %.6g Pa softens faster than the material unloads; it must be above %.6g Pa", hardening,
+                  -resistance * hardening / p.hardening);
+    found.push_back({"hardening", text});
+  }
+}
+
+}  // namespace ashlar
