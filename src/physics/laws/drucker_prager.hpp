@@ -15,7 +15,7 @@ struct DruckerPrager : Elastic {
   static constexpr const char* doc =
       "Elastic, then plastic on a cone of shear strength that grows with pressure: rock, concrete and soil near failure. "
       "Give cohesion and friction, or cone_slope and cone_strength.";
-  static constexpr LawKey<DruckerPrager> keys[] = {
+  static inline const LawKey<DruckerPrager> keys[] = {
       young_key<DruckerPrager>,
       poisson_key<DruckerPrager>,
       expansion_key<DruckerPrager>,

@@ -13,7 +13,7 @@ struct VonMises : Elastic {
   static constexpr const char* name = "von_mises";
   static constexpr const char* doc =
       "Elastic, then plastic where sqrt(3 J2) reaches the yield stress: metals, undrained clay.";
-  static constexpr LawKey<VonMises> keys[] = {
+  static inline const LawKey<VonMises> keys[] = {
       young_key<VonMises>,
       poisson_key<VonMises>,
       expansion_key<VonMises>,

@@ -1,0 +1,35 @@
+-- Case P29: a cube squeezed along z between rigid sides, c = 0.1 MPa, phi = 10 deg, outer Drucker-Prager cone, E = 100 MPa,
+--   nu = 0.3, without and with dilation.
+-- Source: closed form (K, G, M = K + 4 G / 3, cone a, k, flow slope b): flow begins at e_y = k / d, d = 2 G / sqrt 3 - 3 K a;
+--   after it s_ax = M e - l (2 G / sqrt 3 - 3 K b), s_lat = (K - 2 G / 3) e + l (G / sqrt 3 + 3 K b),
+--   l = d (e - e_y) / (G + 9 K a b).
+-- Accept: 0.1 %.
+-- Runs: elements=hex8 | elements=wedge6 | elements=tet4
+local args = deck.args { elements = { default = "hex8", doc = "hex8, wedge6 or tet4" } }
+local e, bulk, shear, root3 = 0.01, 100e6 / (3 * 0.4), 100e6 / 2.6, math.sqrt(3)
+
+model "oedometer" {}
+for column, dilation in ipairs { 0, 5, 10 } do
+  local name = "dilation " .. dilation
+  local x = 2 * column
+  box(name) { from = { x, 0, 0 }, to = { x + 1, 1, 1 }, cells = { 2, 2, 2 }, elements = args.elements }
+  material(name) {
+    region = name, law = "drucker_prager", density = 2000*kg/m^3, young = 100*MPa, poisson = 0.3,
+    cohesion = 0.1*MPa, friction = 10*deg, dilation = dilation*deg, match = "outer",
+  }
+  fix { surface = { name .. ".left", name .. ".right", name .. ".front", name .. ".back", name .. ".bottom" }, normal = true }
+  displacement { surface = name .. ".top", z = -e*m }
+  history(name) { at = { x + 0.4, 0.4, 0.4 }, record = { "stress" } }
+
+  local function cone(angle) return 2 * math.sin(angle) / (root3 * (3 - math.sin(angle))) end
+  local phi = math.rad(10)
+  local a, b = cone(phi), cone(math.rad(dilation))
+  local k = 6 * 0.1e6 * math.cos(phi) / (root3 * (3 - math.sin(phi)))
+  local d = 2 * shear / root3 - 3 * bulk * a
+  local flow = d * (e - k / d) / (shear + 9 * bulk * a * b)
+  local axial = (bulk + 4 * shear / 3) * e - flow * (2 * shear / root3 - 3 * bulk * b)
+  local side = (bulk - 2 * shear / 3) * e + flow * (shear / root3 + 3 * bulk * b)
+  expect(name .. " axial") { history = name, component = "stress.zz", value = -axial*Pa, relative = 1e-3 }
+  expect(name .. " lateral") { history = name, component = "stress.xx", value = -side*Pa, relative = 1e-3 }
+end
+stage "squeeze" { solve = static { tolerance = 1e-8 } }
