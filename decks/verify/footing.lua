@@ -2,7 +2,7 @@
 -- Source: Prandtl 1921: 5.1416 times the cohesion. CalculiX 2.20, C3D8I, elements of 0.25: plateau at 5.52 for a half width
 --   of 1 and 4.91 for 1.125, the last node that goes down and the middle of the gap beside it.
 -- Accept: -5 % to +12 % on a plateau. B-bar hex8; full integration goes on rising.
--- Runs: formulation=bbar
+-- Runs: elements=hex8 | elements=wedge6
 local args = deck.args {
   formulation = { default = "bbar", doc = "bbar, or full to see it lock" },
   elements    = { default = "hex8", doc = "hex8, wedge6 or tet4" },

@@ -2,14 +2,15 @@
 -- Source: exact; the idea is that of MacNeal and Harder 1985, whose own seven hexahedra (P1) are in tests/solve/patch.cpp:
 --         one of them is folded at a corner, where no element of a deck may be.
 -- Accept: 1e-6 of stress and displacement.
--- Runs: elements=hex8 | elements=wedge6 | elements=tet4
+-- Runs: elements=hex8 | elements=wedge6 | elements=tet4 | elements=hex8 formulation=bbar | elements=wedge6 formulation=bbar
 local args = deck.args {
   elements = { default = "hex8", doc = "27 hex8, or each as two wedge6 or six tet4" },
+  formulation = { default = "full", doc = "full or bbar" },
 }
 
 model "patch" {}
 import_mesh { file = "../../tests/data/verify_patch_" .. args.elements .. ".msh" }
-material "unit" { region = "body", young = 1*MPa, poisson = 0.25, density = 1*kg/m^3 }
+material "unit" { region = "body", young = 1*MPa, poisson = 0.25, density = 1*kg/m^3, formulation = args.formulation }
 
 -- Every strain is 1e-3: u = 1e-3 (x + (y+z)/2, y + (x+z)/2, z + (x+y)/2).
 local field = {

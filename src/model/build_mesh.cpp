@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "model/check_mesh.hpp"
 #include "model/mesher/extrude.hpp"
@@ -7,6 +8,7 @@
 #include "model/model.hpp"
 #include "model/place_text.hpp"
 #include "model/select_surface.hpp"
+#include "physics/laws/laws.hpp"
 
 namespace ashlar {
 
@@ -30,10 +32,31 @@ class Assembly {
       add_import(model_.imports[i], source_nodes(static_cast<int>(sources_.size() + i)));
     complaints_.raise();
     check_mesh(mesh_, region_declared_);
+    note_locking();
     add_surfaces();
   }
 
  private:
+  /// Plastic flow keeps its volume, nearly; elements that cannot do so without stiffening give collapse loads too high.
+  void note_locking() {
+    for (const Material& material : model_.materials) {
+      if (!is_plastic(material.law)) continue;
+      std::set<std::string> kinds;
+      for (int e = 0; e < mesh_.element_count(); ++e) {
+        const std::string& region = mesh_.region_names[mesh_.regions[e]];
+        if (std::find(material.regions.begin(), material.regions.end(), region) == material.regions.end()) continue;
+        if (mesh_.shapes[e] == Shape::tet4)
+          kinds.insert("tet4");
+        else if (!material.bbar.value_or(true))
+          kinds.insert("fully integrated elements");
+      }
+      for (const std::string& kind : kinds)
+        model_.notes.push_back("material '" + material.name + "': " + kind +
+                               " lock in plastic flow; collapse loads may come out tens of per cent too high" +
+                               (kind == "tet4" ? ", hex8 and wedge6 do not" : ", formulation = \"bbar\" does not"));
+    }
+  }
+
   void make_sources() {
     if (!model_.extrudes.empty()) sources_ = mesh_extrudes(model_.extrudes);
     for (const auto& extrude : model_.extrudes) {

@@ -9,6 +9,7 @@
 #include "model/model.hpp"
 #include "model/place_text.hpp"
 #include "physics/interface_laws/interface_laws.hpp"
+#include "physics/laws/laws.hpp"
 
 namespace ashlar {
 namespace {
@@ -124,6 +125,14 @@ class ModelCheck {
         });
   }
 
+  /// The energy balance of a motion takes blocks for elastic.
+  void motion(const Stage& stage) {
+    for (const auto& material : model_.materials)
+      if (is_plastic(material.law))
+        complaints_.add(stage.where, title("stage", stage.name) + ": dynamic stages take elastic materials only, and " +
+                                         title("material", material.name) + " is " + material.law);
+  }
+
   void stages() {
     if (model_.stages.empty())
       complaints_.add(
@@ -147,6 +156,7 @@ class ModelCheck {
                                            *nouns.rbegin() + "; give them different names");
       }
       if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve)) thermal_stage(stage, *thermal);
+      if (std::holds_alternative<DynamicSolve>(stage.solve)) motion(stage);
       if (const auto* fracture = std::get_if<FractureSolve>(&stage.solve)) {
         for (const auto& name : {fracture->from, fracture->to})
           if (!name.empty()) earlier_temperature(name, s, who);

@@ -14,7 +14,7 @@
 namespace ashlar {
 namespace {
 
-enum class Blocks { continuous, exploded, cracked };
+enum class Blocks { continuous, plastic, exploded, cracked };
 
 Condition condition(const char* noun, const char* surface, Condition::Kind kind) {
   Condition c;
@@ -24,7 +24,8 @@ Condition condition(const char* noun, const char* surface, Condition::Kind kind)
   return c;
 }
 
-/// Dam D0 with gravity and water; as one body, or as one block an element with bonded or with sliding contacts.
+/// Dam D0 with gravity and water; as one body, the same with materials that flow, or as one block an
+/// element with bonded or with sliding contacts.
 Model dam(const char* file, Blocks blocks) {
   Model m;
   m.mesh = read_mesh(std::string(ASHLAR_TEST_DATA) + "/" + file, {});
@@ -39,7 +40,13 @@ Model dam(const char* file, Blocks blocks) {
                   condition("fix", "bottom", Fix{true, true, true, false}),
                   condition("fix", "xside", Fix{true, false, false, false}),
                   condition("fix", "yside", Fix{false, true, false, false})};
-  if (blocks != Blocks::continuous) {
+  if (blocks == Blocks::plastic) {
+    for (Material& material : m.materials) material.law = "drucker_prager";
+    m.materials[0].values.merge(std::map<std::string, double>{
+        {"cohesion", 2e4}, {"friction", 0.4}, {"dilation", 0.2}, {"tension_cutoff", 1e4}, {"hardening", -1e6}});
+    m.materials[1].law = "von_mises";
+    m.materials[1].values.merge(std::map<std::string, double>{{"yield_stress", 2e4}, {"hardening", 1e9}});
+  } else if (blocks != Blocks::continuous) {
     Interface i;
     i.name = "all";
     i.crackable = true;
@@ -67,8 +74,8 @@ void expect_same_bits(const std::vector<double>& a, const std::vector<double>& b
 
 /// Set-up, every mechanical phase for `steps` steps, stress, strength; heat steps and the warming that they leave.
 struct Outcome {
-  std::vector<double> stiffness, displacement, velocity, force, slip, state, utilisation, stress, temperature, warming,
-      sums, searched;
+  std::vector<double> stiffness, displacement, velocity, force, slip, state, utilisation, stress, history,
+      temperature, warming, sums, searched;
 };
 Outcome march(const Problem& p, Backend& b, int steps) {
   Outcome out;
@@ -108,6 +115,7 @@ Outcome march(const Problem& p, Backend& b, int steps) {
     b.run(Phase::block_force);
     b.run(Phase::gather_force);
     b.run(Phase::spring_force);
+    if (step == steps / 2) b.run(Phase::advance_history);
     if (step + 2 == steps) b.run(Phase::keep_force);
     if (step + 1 == steps) {
       const RelaxationMeasure m = b.relaxation_sums();
@@ -116,6 +124,7 @@ Outcome march(const Problem& p, Backend& b, int steps) {
     b.run(Phase::move_nodes, controls);
   }
   b.run(Phase::spring_utilisation);
+  b.run(Phase::advance_history);
   b.run(Phase::block_stress);
   out.displacement = b.read(Field::displacement);
   out.velocity = b.read(Field::velocity);
@@ -124,6 +133,7 @@ Outcome march(const Problem& p, Backend& b, int steps) {
   out.state = b.read(Field::contact_state);
   out.utilisation = b.read(Field::utilisation);
   out.stress = b.read(Field::stress);
+  out.history = b.read(Field::history);
 
   ElasticStart search(p, b);
   if (search.applies()) search.run({.tolerance = 1e-12}, 0, [](long iteration, double) { return iteration == 20; });
@@ -140,6 +150,7 @@ void expect_same(const Outcome& a, const Outcome& b) {
   expect_same_bits(a.state, b.state, "contact state");
   expect_same_bits(a.utilisation, b.utilisation, "utilisation");
   expect_same_bits(a.stress, b.stress, "stress");
+  expect_same_bits(a.history, b.history, "history");
   expect_same_bits(a.temperature, b.temperature, "temperature");
   expect_same_bits(a.warming, b.warming, "warming");
   expect_same_bits(a.sums, b.sums, "relaxation sums");
@@ -214,6 +225,13 @@ TEST_P(Parity, EveryNumberOfThreadsGivesTheSameBits) {
   double moved = 0;
   for (const double u : one.displacement) moved = std::max(moved, std::abs(u));
   EXPECT_GT(moved, 1e-6) << "nothing moved: the comparison would be empty";
+  if (std::get<1>(GetParam()) == Blocks::plastic) {
+    const std::size_t points = one.history.size() / 8;
+    long flowed = 0;
+    for (std::size_t i = 6 * points; i < 7 * points; ++i) flowed += one.history[i] > 0;
+    EXPECT_GT(flowed, points / 20) << "hardly anything flowed";
+    EXPECT_LT(flowed, points) << "nothing stayed elastic";
+  }
   for (const int threads : {2, 3}) {
     const auto backend = make_cpu_backend(problem_.setup(), std::get<0>(GetParam()), threads);
     expect_same(one, march(problem_, *backend, steps));
@@ -253,14 +271,18 @@ TEST_P(Parity, AnNvidiaDeviceGivesTheSameBits) {
 std::string case_name(const testing::TestParamInfo<Parity::ParamType>& info) {
   const auto [precision, blocks, file] = info.param;
   std::string name = precision == Precision::double_precision ? "double" : "single";
-  name += blocks == Blocks::continuous ? "_continuous" : blocks == Blocks::exploded ? "_exploded" : "_sliding";
+  name += blocks == Blocks::continuous ? "_continuous"
+          : blocks == Blocks::plastic  ? "_plastic"
+          : blocks == Blocks::exploded ? "_exploded"
+                                       : "_sliding";
   name += std::string(file).find("r2") != std::string::npos ? "_r2" : "_r1";
   return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(DamD0, Parity,
                          testing::Combine(testing::Values(Precision::double_precision, Precision::single_precision),
-                                          testing::Values(Blocks::continuous, Blocks::exploded, Blocks::cracked),
+                                          testing::Values(Blocks::continuous, Blocks::plastic, Blocks::exploded,
+                                                          Blocks::cracked),
                                           testing::Values("dam_D0_r1_ny2.msh", "dam_D0_r2_ny4.msh")),
                          case_name);
 

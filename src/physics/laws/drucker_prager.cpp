@@ -20,6 +20,8 @@ DruckerPrager::Cone DruckerPrager::cone() const {
   return {slope(friction), slope(dilation), strength};
 }
 
+static double degrees(double angle) { return angle * 57.295779513082320877; }
+
 std::vector<LawComplaint> DruckerPrager::complaints() const {
   std::vector<LawComplaint> found;
   const auto complain = [&](const char* key, const std::string& message) { found.push_back({key, message}); };
@@ -31,25 +33,25 @@ std::vector<LawComplaint> DruckerPrager::complaints() const {
     if (!given(cone_slope)) complain("", "missing 'cone_slope': it belongs to cone_strength and cone_dilation");
     if (!given(cone_strength)) complain("", "missing 'cone_strength' [Pa]: it belongs to cone_slope");
     if (given(cone_dilation) && cone_dilation > cone_slope)
-      complain("cone_dilation", above("cone_dilation", cone_dilation, "cone_slope", cone_slope) +
+      complain("cone_dilation", above("cone_dilation", cone_dilation, "cone_slope", cone_slope, "") +
                                     ": flow would make energy; give at most the slope");
   } else {
     if (!given(cohesion)) complain("", "missing 'cohesion' [Pa]: shear strength without normal stress");
     if (!given(friction)) complain("", "missing 'friction': friction angle, such as 35*deg");
     if (dilation > friction)
-      complain("dilation", above("dilation", dilation, "friction", friction) +
+      complain("dilation", above("dilation", degrees(dilation), "friction", degrees(friction), " deg") +
                                ": flow would make energy; give at most the friction angle");
   }
   if (!found.empty()) return found;
   const auto point = prepare<double>();
   if (point.strength == 0 && point.slope == 0) complain("", "has no strength at all: cohesion and friction are both 0");
   if (point.slope > 0 && given(tension_cutoff) && point.cut_off > point.strength / point.slope)
-    complain("tension_cutoff", above("tension_cutoff", tension_cutoff, "the tip of the cone, Pa,",
-                                     point.strength / point.slope / 3) +
+    complain("tension_cutoff", above("tension_cutoff", tension_cutoff, "the tip of the cone",
+                                     point.strength / point.slope / 3, " Pa") +
                                    ": it never acts; leave it out or lower it");
   const double first = direct ? cone_strength : cohesion;
   if (residual > first)
-    complain("residual", above("residual", residual, direct ? "cone_strength" : "cohesion", first));
+    complain("residual", above("residual", residual, direct ? "cone_strength" : "cohesion", first, " Pa"));
   check_softening(point, hardening, found);
   return found;
 }

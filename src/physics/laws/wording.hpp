@@ -7,10 +7,10 @@
 /// Complaints that several laws share.
 namespace ashlar {
 
-/// "'a' = 2 is above b = 1"
-inline std::string above(const char* key, double value, const char* other, double limit) {
+/// "'a' = 2 MPa is above b = 1 MPa", values given in that unit.
+inline std::string above(const char* key, double value, const char* other, double limit, const char* unit) {
   char text[160];
-  std::snprintf(text, sizeof text, "'%s' = %.6g is above %s = %.6g", key, value, other, limit);
+  std::snprintf(text, sizeof text, "'%s' = %.6g%s is above %s = %.6g%s", key, value, unit, other, limit, unit);
   return text;
 }
 
