@@ -281,9 +281,13 @@ std::string case_name(const testing::TestParamInfo<Parity::ParamType>& info) {
 
 INSTANTIATE_TEST_SUITE_P(DamD0, Parity,
                          testing::Combine(testing::Values(Precision::double_precision, Precision::single_precision),
-                                          testing::Values(Blocks::continuous, Blocks::plastic, Blocks::exploded,
-                                                          Blocks::cracked),
+                                          testing::Values(Blocks::continuous, Blocks::exploded, Blocks::cracked),
                                           testing::Values("dam_D0_r1_ny2.msh", "dam_D0_r2_ny4.msh")),
+                         case_name);
+
+INSTANTIATE_TEST_SUITE_P(PlasticD0, Parity,
+                         testing::Combine(testing::Values(Precision::double_precision, Precision::single_precision),
+                                          testing::Values(Blocks::plastic), testing::Values("dam_D0_r1_ny2.msh")),
                          case_name);
 
 }  // namespace
