@@ -1,6 +1,6 @@
 -- Case P31: a rigid smooth strip footing of half width 1 on clay without friction, 6 x 4 of it, plane strain.
--- Source: Prandtl 1921: 5.1416 times the cohesion. CalculiX 2.20, C3D8I, elements of 0.25: plateau at 5.52 for a half width
---   of 1 and 4.91 for 1.125, the last node that goes down and the middle of the gap beside it.
+-- Source: Prandtl 1921: 5.1416 times the cohesion. CalculiX 2.20, C3D8I, elements of 0.25: plateau at 5.52 for a half
+--   width of 1 and 4.91 for 1.125, the last node that goes down and the middle of the gap beside it.
 -- Accept: -5 % to +12 % on a plateau. B-bar hex8; full integration goes on rising.
 -- Runs: elements=hex8 | elements=wedge6
 local args = deck.args {

@@ -1,7 +1,7 @@
--- Case P29: a cube squeezed along z between rigid sides, c = 0.1 MPa, phi = 10 deg, outer Drucker-Prager cone, E = 100 MPa,
---   nu = 0.3, without and with dilation.
--- Source: closed form (K, G, M = K + 4 G / 3, cone a, k, flow slope b): flow begins at e_y = k / d, d = 2 G / sqrt 3 - 3 K a;
---   after it s_ax = M e - l (2 G / sqrt 3 - 3 K b), s_lat = (K - 2 G / 3) e + l (G / sqrt 3 + 3 K b),
+-- Case P29: a cube squeezed along z between rigid sides, c = 0.1 MPa, phi = 10 deg, outer Drucker-Prager cone,
+--   E = 100 MPa, nu = 0.3, without and with dilation.
+-- Source: closed form (K, G, M = K + 4 G / 3, cone a, k, flow slope b): flow begins at e_y = k / d,
+--   d = 2 G / sqrt 3 - 3 K a; after it s_ax = M e - l (2 G / sqrt 3 - 3 K b), s_lat = (K - 2 G / 3) e + l (G / sqrt 3 + 3 K b),
 --   l = d (e - e_y) / (G + 9 K a b).
 -- Accept: 0.1 %.
 -- Runs: elements=hex8 | elements=wedge6 | elements=tet4
@@ -17,7 +17,8 @@ for column, dilation in ipairs { 0, 5, 10 } do
     region = name, law = "drucker_prager", density = 2000*kg/m^3, young = 100*MPa, poisson = 0.3,
     cohesion = 0.1*MPa, friction = 10*deg, dilation = dilation*deg, match = "outer",
   }
-  fix { surface = { name .. ".left", name .. ".right", name .. ".front", name .. ".back", name .. ".bottom" }, normal = true }
+  local rigid = { name .. ".left", name .. ".right", name .. ".front", name .. ".back", name .. ".bottom" }
+  fix { surface = rigid, normal = true }
   displacement { surface = name .. ".top", z = -e*m }
   history(name) { at = { x + 0.4, 0.4, 0.4 }, record = { "stress" } }
 

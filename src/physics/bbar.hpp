@@ -42,8 +42,8 @@ struct BBar : Base {
       const Jacobian<V> j = geometry.jacobian_at(g);
       const Vec3<V> dx = Lines::at(moved[0], g), dy = Lines::at(moved[1], g), dz = Lines::at(moved[2], g);
       const V inverse = V(S(1)) / j.det;
-      Sym3<V> strain = strain_times_det(j, Vec3<V>{dx.x, dy.x, dz.x}, Vec3<V>{dx.y, dy.y, dz.y},
-                                        Vec3<V>{dx.z, dy.z, dz.z});
+      Sym3<V> strain =
+          strain_times_det(j, Vec3<V>{dx.x, dy.x, dz.x}, Vec3<V>{dx.y, dy.y, dz.y}, Vec3<V>{dx.z, dy.z, dz.z});
       for (int i = 0; i < 6; ++i) strain[i] = strain[i] * inverse;
       const V correction = third * (dilatation - (strain.xx + strain.yy + strain.zz));
       for (int i = 0; i < 3; ++i) strain[i] = strain[i] + correction;

@@ -98,7 +98,8 @@ void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
     } else {
       throw DeckError(probe.history->where,
                       "history '" + probe.history->name + "': cannot record '" + record + "' " +
-                          (at_point     ? "at a point; valid: displacement, velocity, temperature, stress, plastic_strain"
+                          (at_point     ? "at a point; valid: displacement, velocity, temperature, stress, "
+                                         "plastic_strain"
                            : on_surface ? "on a surface; valid: reaction, load, load_moment"
                                         : "of the whole model; valid: energy"));
     }

@@ -134,7 +134,8 @@ TEST(von_mises, uniaxial_hardening_follows_the_tangent_modulus) {
 }
 
 TEST(drucker_prager, softening_ends_at_the_residual_cohesion) {
-  const auto law = drucker_prager({{"cohesion", 1e5}, {"friction", 20 * degree}, {"hardening", -1e6}, {"residual", 4e4}});
+  const auto law =
+      drucker_prager({{"cohesion", 1e5}, {"friction", 20 * degree}, {"hardening", -1e6}, {"residual", 4e4}});
   const auto left = drucker_prager({{"cohesion", 4e4}, {"friction", 20 * degree}});
   EXPECT_NEAR(plateau(law, 0, -1e-3), plateau(left, 0, -1e-3), 1);
 }

@@ -4,9 +4,9 @@
 namespace ashlar {
 
 /// Plasticity on a cone about the hydrostatic axis, sqrt(J2) + slope I1 = strength, with a cut-off I1 = cut_off: what
-/// Drucker-Prager and von Mises (slope 0) materials are to a kernel. Flow follows sqrt(J2) + dilation I1 on the cone and
-/// I1 on the cut-off. Strength changes linearly with equivalent plastic strain, never below `residual`. The return is
-/// in closed form: to the cone, to its tip or its edge with the cut-off, or to the cut-off.
+/// Drucker-Prager and von Mises (slope 0) materials are to a kernel. Flow follows sqrt(J2) + dilation I1 on the cone
+/// and I1 on the cut-off. Strength changes linearly with equivalent plastic strain, never below `residual`. The return
+/// is in closed form: to the cone, to its tip or its edge with the cut-off, or to the cut-off.
 template <class Real>
 struct ConePoint {
   static constexpr int history_size = PlasticHistory<Real>::size;

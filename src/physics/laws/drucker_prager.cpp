@@ -15,8 +15,8 @@ DruckerPrager::Cone DruckerPrager::cone() const {
     return 2 * s / (root3 * (match == 0 ? 3 - s : 3 + s));
   };
   const double s = std::sin(friction), t = std::tan(friction);
-  const double strength = match == 2 ? 3 / std::sqrt(9 + 12 * t * t)
-                                     : 6 * std::cos(friction) / (root3 * (match == 0 ? 3 - s : 3 + s));
+  const double strength =
+      match == 2 ? 3 / std::sqrt(9 + 12 * t * t) : 6 * std::cos(friction) / (root3 * (match == 0 ? 3 - s : 3 + s));
   return {slope(friction), slope(dilation), strength};
 }
 
@@ -46,9 +46,9 @@ std::vector<LawComplaint> DruckerPrager::complaints() const {
   const auto point = prepare<double>();
   if (point.strength == 0 && point.slope == 0) complain("", "has no strength at all: cohesion and friction are both 0");
   if (point.slope > 0 && given(tension_cutoff) && point.cut_off > point.strength / point.slope)
-    complain("tension_cutoff", above("tension_cutoff", tension_cutoff, "the tip of the cone",
-                                     point.strength / point.slope / 3, " Pa") +
-                                   ": it never acts; leave it out or lower it");
+    complain("tension_cutoff",
+             above("tension_cutoff", tension_cutoff, "the tip of the cone", point.strength / point.slope / 3, " Pa") +
+                 ": it never acts; leave it out or lower it");
   const double first = direct ? cone_strength : cohesion;
   if (residual > first)
     complain("residual", above("residual", residual, direct ? "cone_strength" : "cohesion", first, " Pa"));

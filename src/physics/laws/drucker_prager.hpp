@@ -3,8 +3,8 @@
 
 namespace ashlar {
 
-/// Drucker-Prager cone, sqrt(J2) + a I1 = k, tension positive (numerics 4). a and k come from cohesion and friction by a
-/// named match with Mohr-Coulomb (cases 4), or are given.
+/// Drucker-Prager cone, sqrt(J2) + a I1 = k, tension positive (numerics 4). a and k come from cohesion and friction by
+/// a named match with Mohr-Coulomb (cases 4), or are given.
 struct DruckerPrager : Elastic {
   double cohesion = not_given, friction = not_given, match = 2, dilation = 0;
   double cone_slope = not_given, cone_strength = not_given, cone_dilation = not_given;
@@ -13,7 +13,8 @@ struct DruckerPrager : Elastic {
   static constexpr const char* matches[] = {"outer", "inner", "plane_strain"};
   static constexpr const char* name = "drucker_prager";
   static constexpr const char* doc =
-      "Elastic, then plastic on a cone of shear strength that grows with pressure: rock, concrete and soil near failure. "
+      "Elastic, then plastic on a cone of shear strength that grows with pressure: rock, concrete and soil near "
+      "failure. "
       "Give cohesion and friction, or cone_slope and cone_strength.";
   static inline const LawKey<DruckerPrager> keys[] = {
       young_key<DruckerPrager>,

@@ -8,8 +8,8 @@ namespace ashlar {
 template <class Law>
 constexpr LawKey<Law> young_key{"young", &Law::young, dimension::pressure, range::positive, {}, "Young's modulus"};
 template <class Law>
-constexpr LawKey<Law> poisson_key{
-    "poisson", &Law::poisson, dimension::none, Range{-0.99, 0.4999}, {}, "Poisson's ratio"};
+constexpr LawKey<Law> poisson_key{"poisson", &Law::poisson,    dimension::none, Range{-0.99, 0.4999},
+                                  {},        "Poisson's ratio"};
 template <class Law>
 constexpr LawKey<Law> expansion_key{"expansion",
                                     &Law::expansion,

@@ -7,7 +7,8 @@ namespace ashlar {
 std::vector<LawComplaint> VonMises::complaints() const {
   std::vector<LawComplaint> found;
   if (residual_stress > yield_stress)
-    found.push_back({"residual_stress", above("residual_stress", residual_stress, "yield_stress", yield_stress, " Pa")});
+    found.push_back(
+        {"residual_stress", above("residual_stress", residual_stress, "yield_stress", yield_stress, " Pa")});
   check_softening(prepare<double>(), hardening, found);
   return found;
 }
