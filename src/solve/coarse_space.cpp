@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "kernels/balance.hpp"
 #include "kernels/block_force.hpp"
@@ -12,6 +13,7 @@ namespace ashlar {
 namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
+using Block = std::array<double, rigid_modes * rigid_modes>;  ///< between the movements of two aggregates
 
 NodeAggregates patch_aggregates(const Discretisation& d) {
   const Topology& t = d.blocks;
@@ -80,12 +82,23 @@ class Assembly {
           const Vec3<double> pull = contacts.area[c] * (contacts.shear_stiffness[c] * (gap - along * n) +
                                                         contacts.normal_stiffness[c] * along * n);
           for (int j = 0; j < 2; ++j)
-            for (int l = 0; l < rigid_modes; ++l) add(nodes[i], k, nodes[j], l, sign[j] * dot(mode(nodes[j], l), pull));
+            for (int l = 0; l < rigid_modes; ++l)
+              block(aggregates_.aggregate[nodes[i]], aggregates_.aggregate[nodes[j]])[rigid_modes * k + l] +=
+                  sign[j] * dot(mode(nodes[j], l), pull);
         }
     }
   }
 
-  Triplets take() { return std::move(triplets_); }
+  /// Entries of the matrix, each once.
+  Triplets triplets() const {
+    Triplets all;
+    for (const auto& [pair, block] : blocks_)
+      for (int k = 0; k < rigid_modes; ++k)
+        for (int l = 0; l < rigid_modes; ++l)
+          if (const double value = block[rigid_modes * k + l]; value != 0)
+            all.emplace_back(rigid_modes * pair.first + k, rigid_modes * pair.second + l, value);
+    return all;
+  }
 
  private:
   Vec3<double> mode(int node, int k) const {
@@ -99,11 +112,7 @@ class Assembly {
       if (aggregates_.aggregate[n] != aggregates_.aggregate[nodes[0]] || fixed_[n] != 0) return false;
     return true;
   }
-  void add(int node_i, int k, int node_j, int l, double value) {
-    if (value != 0)
-      triplets_.emplace_back(rigid_modes * aggregates_.aggregate[node_i] + k,
-                             rigid_modes * aggregates_.aggregate[node_j] + l, value);
-  }
+  Block& block(int a, int b) { return blocks_[{a, b}]; }
 
   template <template <class> class Element, class Point>
   void add_batch(ElementTag<Element>, const Batch& batch, const Point& law) {
@@ -128,14 +137,16 @@ class Assembly {
             for (int c = 0; c < 3; ++c) u[c][q] = m[c];
           }
           element_force<Element, false>(law, x, u, NoPoints{}, f);
-          for (const int b : touched)
+          for (const int b : touched) {
+            Block& between = block(a, b);
             for (int l = 0; l < rigid_modes; ++l) {
               double value = 0;
               for (int q = 0; q < corners; ++q)
                 if (aggregates_.aggregate[nodes[q]] == b)
                   value += dot(mode(nodes[q], l), Vec3<double>{f[0][q], f[1][q], f[2][q]});
-              if (value != 0) triplets_.emplace_back(rigid_modes * a + k, rigid_modes * b + l, value);
+              between[rigid_modes * k + l] += value;
             }
+          }
         }
     }
   }
@@ -143,7 +154,7 @@ class Assembly {
   const Problem& problem_;
   const NodeAggregates& aggregates_;
   const std::vector<double>& fixed_;
-  Triplets triplets_;
+  std::map<std::pair<int, int>, Block> blocks_;
 };
 
 }  // namespace
@@ -155,7 +166,7 @@ CoarseSpace::CoarseSpace(const Problem& problem, const std::vector<double>& fixe
   assembly.add_springs();
   const int size = rigid_modes * problem.discretisation.patch_count();
   Eigen::SparseMatrix<double> matrix(size, size);
-  const Triplets triplets = assembly.take();
+  const Triplets triplets = assembly.triplets();
   matrix.setFromTriplets(triplets.begin(), triplets.end());
   // Movements that nothing resists (held throughout, or one node's rotation) get a stiffness of their own.
   double largest = 0;

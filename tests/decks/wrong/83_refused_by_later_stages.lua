@@ -5,4 +5,3 @@ fix { surface = "bar.left", x = 0, y = 0, z = 0 }
 gravity { z = -9.81 }
 stage "weight" { solve = static {} }
 stage "shake"  { solve = dynamic { duration = 1, time_step = 0.01 } }
-stage "warm"   { apply = { flux { surface = "bar.right", value = 20 } }, solve = thermal { steady = true } }
