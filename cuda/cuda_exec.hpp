@@ -43,9 +43,11 @@ struct StepBoundary {
   const Real* partial;
   NodeStep step;
   ASHLAR_HD void operator()(int b) const {
+    const int node = nodes.interior_count + b;
+    const auto before = step.read(node);
     Real sum[3];
     sum_patches<Real, 3>(nodes, partial, b, sum);
-    step(nodes.interior_count + b, sum);
+    step(node, before, sum);
   }
 };
 
@@ -53,7 +55,9 @@ struct StepBoundary {
 template <class Real>
 struct StoreForce {
   Real* force;  ///< [3 * nodes] N
-  ASHLAR_HD void operator()(int node, const Real (&sum)[3]) const {
+  struct Before {};
+  ASHLAR_HD Before read(int) const { return {}; }
+  ASHLAR_HD void operator()(int node, const Before&, const Real (&sum)[3]) const {
     for (int c = 0; c < 3; ++c) force[3 * node + c] = sum[c];
   }
 };

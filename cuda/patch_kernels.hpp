@@ -45,15 +45,21 @@ __device__ __forceinline__ void read_entries(const std::uint16_t* corner_entry, 
   }
 }
 
-/// Sum over one entry's corners of `width` components in shared memory.
+/// Where the gather list of entry l begins.
+__device__ __forceinline__ const GatherRow* row_of(const PatchHead& head, const GatherRow* rows, int l) {
+  return rows + head.first_row + l / 32 * head.rows_per_lane * 32 + l % 32;
+}
+__device__ __forceinline__ uint4 first_row(const PatchHead& head, const GatherRow* rows, int l) {
+  return __ldg(reinterpret_cast<const uint4*>(row_of(head, rows, l)));
+}
+
+/// Sum over the corners of entry l of `width` components in shared memory; `q` is its first row.
 template <int width, class Real>
-__device__ __forceinline__ void sum_corners(const PatchHead& head, const GatherRow* rows, int l, const Real* corner,
-                                            int stride, Real (&sum)[width]) {
+__device__ __forceinline__ void sum_corners(const PatchHead& head, const GatherRow* rows, int l, uint4 q,
+                                            const Real* corner, int stride, Real (&sum)[width]) {
   ASHLAR_UNROLL
   for (int c = 0; c < width; ++c) sum[c] = Real(0);
-  const GatherRow* row = rows + head.first_row + l / 32 * head.rows_per_lane * 32 + l % 32;
-  for (int r = 0; r < head.rows_per_lane; ++r, row += 32) {
-    const uint4 q = __ldg(reinterpret_cast<const uint4*>(row));
+  for (int r = 0;;) {
     const unsigned words[4] = {q.x, q.y, q.z, q.w};
     ASHLAR_UNROLL
     for (int j = 0; j < 8; ++j) {
@@ -61,6 +67,8 @@ __device__ __forceinline__ void sum_corners(const PatchHead& head, const GatherR
       ASHLAR_UNROLL
       for (int c = 0; c < width; ++c) sum[c] += corner[c * stride + place];
     }
+    if (++r == head.rows_per_lane) break;
+    q = __ldg(reinterpret_cast<const uint4*>(row_of(head, rows, l) + 32 * r));
   }
 }
 
@@ -115,15 +123,36 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<Real
   }
   __syncthreads();
 
-  for (int l = threadIdx.x; l < head.entries; l += patch_threads) {
+  // What the first rounds of sums need is on its way while slower threads are still at their elements.
+  constexpr int rounds = 3;
+  uint4 row[rounds];
+  typename NodeStep::Before before[rounds];
+  ASHLAR_UNROLL
+  for (int r = 0; r < rounds; ++r) {
+    const int l = threadIdx.x + r * patch_threads;
+    if (l < head.entries) row[r] = first_row(head, lists.rows, l);
+    if (l < head.interior) before[r] = node_step.read(head.first_node + l);
+  }
+  __syncthreads();
+
+  const auto finish = [&](int l, const uint4& first, const typename NodeStep::Before& b) {
     Real sum[3];
-    sum_corners<3>(head, lists.rows, l, force, stride, sum);
+    sum_corners<3>(head, lists.rows, l, first, force, stride, sum);
     if (l < head.interior) {
-      node_step(head.first_node + l, sum);
+      node_step(head.first_node + l, b, sum);
     } else {
       ASHLAR_UNROLL
       for (int c = 0; c < 3; ++c) body.partial[3 * (head.first_entry + l) + c] = sum[c];
     }
+  };
+  ASHLAR_UNROLL
+  for (int r = 0; r < rounds; ++r) {
+    const int l = threadIdx.x + r * patch_threads;
+    if (l < head.entries) finish(l, row[r], before[r]);
+  }
+  for (int l = threadIdx.x + rounds * patch_threads; l < head.entries; l += patch_threads) {
+    const typename NodeStep::Before b = l < head.interior ? node_step.read(head.first_node + l) : typename NodeStep::Before{};
+    finish(l, first_row(head, lists.rows, l), b);
   }
 }
 

@@ -140,7 +140,7 @@ class Phases final : public Backend {
     for (const BlockLaw& law : laws_) remembered = std::max(remembered, history_size(law));
     history_.resize(remembered * std::size_t(first_history_.back()));
     groups_.group_count = static_cast<int>(nodes);
-    damping_.resize(1);
+    damping_.assign({last_damping_});
     exec_.set_patches(d);
     body_ = {.nodes = blocks_.view(),
              .x = x_.data(),
@@ -294,8 +294,11 @@ class Phases final : public Backend {
   int contact_count() const { return springs_.view().contact_count; }
 
   void set_damping(const Controls& c) {
-    damping_.upload({{Real(c.local_damping), Real((2 - c.viscous_damping) / (2 + c.viscous_damping)),
-                      Real(2 / (2 + c.viscous_damping))}});
+    const StepDamping<Real> damping{Real(c.local_damping), Real((2 - c.viscous_damping) / (2 + c.viscous_damping)),
+                                    Real(2 / (2 + c.viscous_damping))};
+    if (damping == last_damping_) return;
+    damping_.upload({damping});
+    last_damping_ = damping;
   }
   void move_nodes() { exec_.for_each(groups_.group_count, MoveNodes<Real>{groups_, {body_, damping_.data()}}); }
 
@@ -477,6 +480,7 @@ class Phases final : public Backend {
   Springs<Exec, Real> springs_;
   BalanceLane<Exec, Real> balance_;
   Array<StepDamping<Real>> damping_;
+  StepDamping<Real> last_damping_;
   Array<Real> no_slip_;
   HeatLane<Exec, Real> heat_;
   MotionLane<Exec, Real> motion_;

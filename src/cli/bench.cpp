@@ -266,6 +266,8 @@ int bench_command(const Arguments& arguments) {
   const CudaSupport cuda = cuda_support();
   const DeviceChoice& wanted = arguments.device;
   const bool on_device = wanted.kind == DeviceChoice::cuda || (wanted.kind == DeviceChoice::automatic && !cuda.devices.empty());
+  const bool on_cpu = wanted.kind != DeviceChoice::cuda;
+  if (!on_cpu && cuda.devices.empty()) throw ResourceError("--device cuda: " + cuda.missing);
   const Machine serial{"serial", {DeviceChoice::cpu}, Precision::double_precision, 1};
   const Machine cores{"cores", {DeviceChoice::cpu}, Precision::double_precision, all};
   const Machine device_double{"device", {DeviceChoice::cuda, wanted.index}, Precision::double_precision, all};
@@ -299,9 +301,9 @@ int bench_command(const Arguments& arguments) {
       if (work.crackable && size > 2400000) continue;
       const Model model = perturbed_cube(work, arguments.elements > 0 ? arguments.elements : size);
       const bool small = model.mesh.element_count() < 400000;
-      if (&work == &works[0] && small) add(measure_textbook(model));
-      if (small) add(measure(work, model, serial));
-      if (all > 1) add(measure(work, model, cores));
+      if (on_cpu && small && work.shape == Shape::hex8 && &work == &works[0]) add(measure_textbook(model));
+      if (on_cpu && small) add(measure(work, model, serial));
+      if (on_cpu && all > 1) add(measure(work, model, cores));
       if (on_device) add(measure(work, model, device_double));
       if (on_device) add(measure(work, model, device_single));
     }

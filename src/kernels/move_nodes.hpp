@@ -11,6 +11,7 @@ struct StepDamping {
   Real local = 0;  ///< alpha: force opposes motion by alpha |f|
   Real keep = 1;   ///< (2 - c) / (2 + c), c the viscous coefficient times the step
   Real gain = 1;   ///< 2 / (2 + c)
+  bool operator==(const StepDamping&) const = default;
 };
 
 /// One node by itself -> velocity and displacement after a step, from the force that acts on it.
@@ -19,29 +20,45 @@ struct MoveNode {
   BodyView<Real> body;
   const StepDamping<Real>* damping;
 
-  ASHLAR_HD bool held(int node, int c) const { return (unsigned(body.fixed[node]) >> c) & 1u; }
+  /// What a step needs of the node beside its force, N.
+  struct Before {
+    Real u[3], v[3], load[3], inverse_mass;
+    std::uint8_t fixed;
+  };
+  ASHLAR_HD Before read(int node) const {
+    Before b;
+    ASHLAR_UNROLL
+    for (int c = 0; c < 3; ++c) {
+      b.u[c] = body.u[3 * node + c];
+      b.v[c] = body.v[3 * node + c];
+      b.load[c] = body.load[3 * node + c];
+    }
+    b.inverse_mass = body.inverse_mass[node];
+    b.fixed = body.fixed[node];
+    return b;
+  }
+  ASHLAR_HD static bool held(const Before& b, int c) { return (unsigned(b.fixed) >> c) & 1u; }
 
-  /// Unbalanced force of component i = 3 node + c, less local damping; `force` is internal and contact force, N.
-  ASHLAR_HD Real damped_force(int i, Real force) const {
-    const Real f = body.load[i] - force;
-    const Real v = body.v[i];
-    const Real sign = Real((v > Real(0)) - (v < Real(0)));
-    return fma(-damping->local * (f < Real(0) ? -f : f), sign, f);
+  /// Unbalanced force, less local damping; `force` is internal and contact force.
+  ASHLAR_HD static Real damped_force(const StepDamping<Real>& d, const Before& b, int c, Real force) {
+    const Real f = b.load[c] - force;
+    const Real sign = Real((b.v[c] > Real(0)) - (b.v[c] < Real(0)));
+    return fma(-d.local * (f < Real(0) ? -f : f), sign, f);
   }
 
   /// @param shared acceleration of the group that the node belongs to
-  ASHLAR_HD void component(int node, int c, Real force, Real shared) const {
-    if (held(node, c)) return;
-    const int i = 3 * node + c;
-    const Real moved = fma(damping->keep, body.v[i],
-                           damping->gain * fma(body.inverse_mass[node], damped_force(i, force), shared));
-    body.v[i] = moved;
-    body.u[i] += moved;
+  ASHLAR_HD void component(const StepDamping<Real>& d, int node, const Before& b, int c, Real force,
+                           Real shared) const {
+    if (held(b, c)) return;
+    const Real moved = fma(d.keep, b.v[c], d.gain * fma(b.inverse_mass, damped_force(d, b, c, force), shared));
+    body.v[3 * node + c] = moved;
+    body.u[3 * node + c] = b.u[c] + moved;
   }
 
-  ASHLAR_HD void operator()(int node, const Real (&force)[3]) const {
+  ASHLAR_HD void operator()(int node, const Before& b, const Real (&force)[3]) const {
+    const StepDamping<Real> d = *damping;
     ASHLAR_UNROLL
-    for (int c = 0; c < 3; ++c) component(node, c, force[c], Real(0));
+    for (int c = 0; c < 3; ++c) component(d, node, b, c, force[c], Real(0));
   }
 };
 
@@ -56,7 +73,7 @@ struct MoveNodes {
       const Real shared = shared_pull(group, c);
       for (int j = groups.begin(group); j < groups.end(group); ++j) {
         const int node = groups.node(j);
-        move.component(node, c, move.body.force[3 * node + c], shared);
+        move.component(*move.damping, node, move.read(node), c, move.body.force[3 * node + c], shared);
       }
     }
   }
@@ -68,8 +85,9 @@ struct MoveNodes {
     Real sum = Real(0);
     for (int j = groups.begin(group); j < groups.end(group); ++j) {
       const int node = groups.node(j);
-      if (move.held(node, c)) return Real(0);
-      sum += move.damped_force(3 * node + c, move.body.force[3 * node + c]);
+      const auto before = move.read(node);
+      if (move.held(before, c)) return Real(0);
+      sum += move.damped_force(*move.damping, before, c, move.body.force[3 * node + c]);
     }
     return groups.pull[group] * sum;
   }
