@@ -182,7 +182,7 @@ class CudaExec {
   int capacity(int b) const { return (blocks_->most_entries(b) + 3) / 4 * 4; }
   template <template <class> class Element, class Real>
   std::size_t bytes(int b) const {
-    return patch_bytes<Real, Element<Real>::corners, 3, 6>(capacity(b));
+    return patch_bytes<Real, Element<Real>::corners, 3, Summed<Real>::paired ? 9 : 6>(capacity(b));
   }
   template <class Kernel>
   void for_range(int first, int n, const Kernel& kernel) const {

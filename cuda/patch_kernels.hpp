@@ -78,6 +78,16 @@ constexpr std::size_t patch_bytes(int entries) {
   return sizeof(Real) * (std::size_t(width) * component_stride<Real, corners> + std::size_t(staged) * entries);
 }
 
+/// Component c of an entry's displacement as staged.
+template <class Real>
+__device__ __forceinline__ SummedValue<Real> moved_at(const Real* moved, int capacity, int c, int entry,
+                                                      const Real* has_low) {
+  if constexpr (Summed<Real>::paired)
+    return {moved[c * capacity + entry], has_low ? moved[(3 + c) * capacity + entry] : Real(0)};
+  else
+    return {moved[c * capacity + entry]};
+}
+
 /// Forces of one patch; `node(n, force)` takes what is whole, nodes shared with other patches leave a partial sum.
 template <template <class> class Element, bool Warm, class Point, class Real, class NodeStep>
 __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<Real>)
@@ -88,15 +98,17 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<Real
   extern __shared__ __align__(16) unsigned char shared[];
   Real* const force = reinterpret_cast<Real*>(shared);
   Real* const place = force + 3 * stride;       // [3 * capacity]
-  Real* const moved = place + 3 * capacity;     // [3 * capacity]
+  Real* const moved = place + 3 * capacity;     // [3 * capacity], twice where paired
   const PatchHead head = lists.heads[first_patch + blockIdx.x];
 
   for (int l = threadIdx.x; l < head.entries; l += patch_threads) {
     const int n = 3 * (l < head.interior ? head.first_node + l : __ldg(body.nodes.entry_node + head.first_entry + l));
     ASHLAR_UNROLL
     for (int c = 0; c < 3; ++c) {
-      copy_async(place + c * capacity + l, body.x + n + c);
-      copy_async(moved + c * capacity + l, body.u + n + c);
+      copy_async(place + c * capacity + l, body.x + 3 * (head.first_entry + l) + c);
+      copy_async(moved + c * capacity + l, body.u.high + n + c);
+      if constexpr (Summed<Real>::paired)
+        if (body.u.low) copy_async(moved + (3 + c) * capacity + l, body.u.low + n + c);
     }
   }
   if (threadIdx.x < 3) force[threadIdx.x * stride + corners * patch_capacity<Real>] = Real(0);
@@ -113,7 +125,8 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<Real
       ASHLAR_UNROLL
       for (int c = 0; c < 3; ++c) {
         x[c][k] = place[c * capacity + entry[k]];
-        u[c][k] = moved[c * capacity + entry[k]];
+        u[c][k] = relative(moved_at(moved, capacity, c, entry[k], body.u.low),
+                           moved_at(moved, capacity, c, entry[0], body.u.low));
       }
     element_force<Element, Warm>(law, x, u, StoredPoints<Real>{body, batch, element}, f);
     ASHLAR_UNROLL

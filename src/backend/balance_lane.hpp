@@ -11,13 +11,16 @@ namespace ashlar {
 template <class Exec, class Real>
 class BalanceLane {
  public:
-  void write_aggregates(const NodeAggregates& a) {
+  /// @param points [nodes] m
+  void write_aggregates(const NodeAggregates& a, const std::vector<Vec3<double>>& points) {
     const std::size_t vector = 3 * a.aggregate.size();
     for (auto* array : {&residual_, &preconditioned_, &direction_, &product_}) array->resize(vector);
     aggregate_.assign(a.aggregate);
     first_.assign(a.first);
     node_.assign(a.member);
-    centre_.assign(std::vector<Real>(a.centre.begin(), a.centre.end()));
+    std::vector<Real> arm(vector);
+    for (std::size_t i = 0; i < vector; ++i) arm[i] = Real(points[i / 3][i % 3] - a.centre[3 * a.aggregate[i / 3] + i % 3]);
+    arm_.assign(arm);
     coarse_.resize(rigid_modes * (a.first.size() - 1));
   }
   BalanceView<Real> view(const BodyView<Real>& body, const GroupView<Real>& groups) {
@@ -31,7 +34,7 @@ class BalanceLane {
             .aggregate = aggregate_.data(),
             .aggregate_first = first_.data(),
             .aggregate_node = node_.data(),
-            .centre = centre_.data()};
+            .arm = arm_.data()};
   }
   BalanceMeasure sums(Exec& exec, const BalanceView<Real>& view) {
     const auto s = exec.template sum<balance_sum_count>(view.body.nodes.node_count, BalanceSums<Real>{view});
@@ -51,7 +54,7 @@ class BalanceLane {
  private:
   template <class T>
   using Array = typename Exec::template Array<T>;
-  Array<Real> residual_, preconditioned_, direction_, product_, centre_;
+  Array<Real> residual_, preconditioned_, direction_, product_, arm_;
   Array<int> aggregate_, first_, node_;
   Array<double> coarse_;
 };

@@ -116,6 +116,13 @@ class CpuExec {
     for_each(chunk_count(n), sum_chunk, 8);
     return sums;
   }
+  template <class Real>
+  static SummedValue<Real> moved_at(const Real* at, int c) {
+    if constexpr (Summed<Real>::paired)
+      return {at[4 + c], at[8 + c]};
+    else
+      return {at[4 + c]};
+  }
   template <template <class> class Element, bool Warm, class Point, class Real>
   static void patch_force(const BodyView<Real>& body, const BatchView& batch, const Point& law, int patch, int first,
                           int last) {
@@ -127,14 +134,17 @@ class CpuExec {
     const int entries = nodes.patch_first_entry[patch + 1] - first_entry;
 
     static thread_local std::vector<Real> scratch;
-    scratch.resize(12 * std::size_t(entries));
-    Real* const place = scratch.data();              // 8 a node: x y z ux uy uz - -
-    Real* const sum = scratch.data() + 8 * entries;  // 4 a node: fx fy fz -
+    constexpr int stride = Summed<Real>::paired ? 12 : 8;  // a node: x y z - ux uy uz -, and what u has beyond
+    scratch.resize((stride + 4) * std::size_t(entries));
+    Real* const place = scratch.data();
+    Real* const sum = scratch.data() + stride * entries;  // 4 a node: fx fy fz -
     for (int l = 0; l < entries; ++l) {
       const int n = 3 * nodes.entry_node[first_entry + l];
       for (int c = 0; c < 3; ++c) {
-        place[8 * l + c] = body.x[n + c];
-        place[8 * l + 4 + c] = body.u[n + c];
+        place[stride * l + c] = body.x[3 * (first_entry + l) + c];
+        const SummedValue<Real> moved = body.u[n + c];
+        place[stride * l + 4 + c] = moved.high;
+        if constexpr (Summed<Real>::paired) place[stride * l + 8 + c] = moved.low;
         sum[4 * l + c] = Real(0);
       }
     }
@@ -145,10 +155,11 @@ class CpuExec {
       for (int k = 0; k < corners; ++k)
         for (int lane = 0; lane < width; ++lane) {
           const int element = i + std::min(lane, used - 1);
-          const Real* at = place + 8 * nodes.corner_entry[batch.slot(element, corners, k)];
+          const Real* at = place + stride * nodes.corner_entry[batch.slot(element, corners, k)];
+          const Real* base = place + stride * nodes.corner_entry[batch.slot(element, corners, 0)];
           for (int c = 0; c < 3; ++c) {
             x[c][k].lanes[lane] = at[c];
-            u[c][k].lanes[lane] = at[4 + c];
+            u[c][k].lanes[lane] = relative(moved_at<Real>(at, c), moved_at<Real>(base, c));
           }
         }
       element_force<Element, Warm>(law, x, u, PackedPoints<V, Real>{body, batch, i, used}, f);

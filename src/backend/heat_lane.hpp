@@ -4,6 +4,7 @@
 
 #include "backend/backend.hpp"
 #include "backend/node_set.hpp"
+#include "backend/summed_array.hpp"
 #include "kernels/gather.hpp"
 #include "kernels/heat_flow.hpp"
 #include "kernels/heat_gauss.hpp"
@@ -34,18 +35,16 @@ class HeatLane {
     const Discretisation& d = discretisation_;
     conductivity_.resize(setup.laws.size());
     const std::size_t nodes = d.heat.node_count;
-    std::vector<Real> x(3 * nodes);
-    for (std::size_t n = 0; n < nodes; ++n)
-      for (int c = 0; c < 3; ++c) x[3 * n + c] = Real(d.heat_points[n][c]);
-    x_.assign(x);
-    for (auto* a : {&temperature, &heat, &inverse_capacity, &flow, &residual_, &direction_}) a->resize(nodes);
+    x_.assign(places_in_patches<Real>(d.heat, d.heat_points));
+    temperature.resize(nodes);
+    for (auto* a : {&heat, &inverse_capacity, &flow, &residual_, &direction_}) a->resize(nodes);
     held.resize(nodes);
     bound.resize(2 * nodes);
     corner_.resize(2 * std::size_t(d.slot_count));
     partial_.resize(2 * std::size_t(d.heat.entry_count()));
     view_ = {.nodes = nodes_.view(),
              .x = x_.data(),
-             .temperature = temperature.data(),
+             .temperature = temperature.view(),
              .heat = heat.data(),
              .inverse_capacity = inverse_capacity.data(),
              .held = held.data(),
@@ -70,7 +69,7 @@ class HeatLane {
   }
 
   void find_flow(Exec& exec) { find_flow_of(exec, view_.temperature); }
-  void find_search_flow(Exec& exec) { find_flow_of(exec, view_.direction); }
+  void find_search_flow(Exec& exec) { find_flow_of(exec, {view_.direction}); }
   void step(Exec& exec, double time_step) { exec.for_each(node_count(), StepHeat<Real>{view_, Real(time_step)}); }
   void find_bound(Exec& exec) {
     each_batch([&](auto element, const BatchView& batch, Real conductivity) {
@@ -103,7 +102,8 @@ class HeatLane {
   template <class Work>
   void each_batch(Work work) const {
     for (const Batch& b : discretisation_.batches) {
-      const BatchView batch{b.element_count, b.first_slot, b.first_gauss};
+      const BatchView batch{b.first_patch,  discretisation_.patch_size, b.element_count,
+                            b.first_slot, b.first_gauss};
       const Real conductivity = Real(conductivity_[b.material]);
       switch (b.shape) {
         case Shape::hex8: work(HeatKernels<Hex8, Real>{}, batch, conductivity); break;
@@ -117,7 +117,7 @@ class HeatLane {
     exec.for_each(view_.nodes.entry_count, GatherPatch<Real, width>{view_.nodes, view_.corner, view_.partial, sum});
     exec.for_each(discretisation_.heat.boundary_count(), GatherBoundary<Real, width>{view_.nodes, view_.partial, sum});
   }
-  void find_flow_of(Exec& exec, const Real* field) {
+  void find_flow_of(Exec& exec, const Summed<Real>& field) {
     each_batch([&](auto element, const BatchView& batch, Real conductivity) {
       exec.for_each(batch.element_count, typename decltype(element)::Flow{view_, batch, conductivity, field});
     });
@@ -134,7 +134,8 @@ class HeatLane {
   HeatView<Real> view_;
 
  public:
-  Array<Real> temperature, heat, inverse_capacity, flow, bound;
+  SummedArray<Exec, Real> temperature;
+  Array<Real> heat, inverse_capacity, flow, bound;
   Array<std::uint8_t> held;
 };
 

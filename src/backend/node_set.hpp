@@ -11,7 +11,6 @@ template <class Exec>
 class NodeSet {
  public:
   explicit NodeSet(const Topology& t) {
-    corner_node_.assign(t.corner_node);
     corner_entry_.assign(t.corner_entry);
     patch_first_entry_.assign(t.patch_first_entry);
     patch_interior_.assign(t.patch_interior);
@@ -23,7 +22,6 @@ class NodeSet {
     view_.node_count = t.node_count;
     view_.interior_count = t.interior_count;
     view_.entry_count = t.entry_count();
-    view_.corner_node = corner_node_.data();
     view_.corner_entry = corner_entry_.data();
     view_.patch_first_entry = patch_first_entry_.data();
     view_.patch_interior = patch_interior_.data();
@@ -38,7 +36,7 @@ class NodeSet {
  private:
   template <class T>
   using Array = typename Exec::template Array<T>;
-  Array<int> corner_node_, patch_first_entry_, patch_interior_, entry_node_, entry_first_slot_, entry_slot_,
+  Array<int> patch_first_entry_, patch_interior_, entry_node_, entry_first_slot_, entry_slot_,
       boundary_first_, boundary_entry_;
   Array<std::uint16_t> corner_entry_;
   NodeSetView view_;

@@ -11,6 +11,7 @@
 #include "backend/heat_lane.hpp"
 #include "backend/motion_lane.hpp"
 #include "backend/node_set.hpp"
+#include "backend/summed_array.hpp"
 #include "kernels/block_force.hpp"
 #include "kernels/element_types.hpp"
 #include "kernels/gather.hpp"
@@ -124,11 +125,9 @@ class Phases final : public Backend {
         heat_(setup) {
     const Discretisation& d = setup.discretisation;
     const std::size_t nodes = d.blocks.node_count;
-    std::vector<Real> x(3 * nodes);
-    for (std::size_t n = 0; n < nodes; ++n)
-      for (int c = 0; c < 3; ++c) x[3 * n + c] = Real(d.block_points[n][c]);
-    x_.assign(x);
-    for (auto* a : {&u_, &v_, &load_, &force_, &kept_force_, &u_before_}) a->resize(3 * nodes);
+    x_.assign(places_in_patches<Real>(d.blocks, d.block_points));
+    for (auto* a : {&v_, &load_, &force_, &kept_force_}) a->resize(3 * nodes);
+    for (auto* a : {&u_, &u_before_}) a->resize(3 * nodes);
     inverse_mass_.resize(nodes);
     stiffness_.resize(nodes);
     fixed_.resize(nodes);
@@ -144,7 +143,7 @@ class Phases final : public Backend {
     exec_.set_patches(d);
     body_ = {.nodes = blocks_.view(),
              .x = x_.data(),
-             .u = u_.data(),
+             .u = u_.view(),
              .v = v_.data(),
              .load = load_.data(),
              .force = force_.data(),
@@ -200,7 +199,7 @@ class Phases final : public Backend {
         return exec_.for_each(contact_count(),
                               SpringUtilisation<Real>{springs_.view(), body_.u, springs_.utilisation.data()});
       case Phase::spring_crossing:
-        return exec_.for_each(contact_count(), SpringCrossing<Real>{springs_.view(), u_before_.data(), body_.u,
+        return exec_.for_each(contact_count(), SpringCrossing<Real>{springs_.view(), u_before_.view(), body_.u,
                                                                     springs_.utilisation.data()});
       case Phase::break_springs:
         return exec_.for_each(contact_count(),
@@ -264,7 +263,7 @@ class Phases final : public Backend {
                .pull = group_pull_.data()};
   }
   void write_aggregates(const NodeAggregates& aggregates) override {
-    balance_.write_aggregates(aggregates);
+    balance_.write_aggregates(aggregates, discretisation_.block_points);
     no_slip_.resize(springs_.slip.size());
   }
   BalanceMeasure balance_sums() override { return balance_.sums(exec_, balance_view()); }
@@ -358,7 +357,8 @@ class Phases final : public Backend {
   }
   BatchView batch_view(int b) const {
     const Batch& batch = discretisation_.batches[b];
-    return {batch.element_count, batch.first_slot, batch.first_gauss, first_history_[b]};
+    return {batch.first_patch, discretisation_.patch_size, batch.element_count,
+            batch.first_slot,  batch.first_gauss,           first_history_[b]};
   }
 
   template <template <class> class E, class Point>
@@ -397,7 +397,7 @@ class Phases final : public Backend {
   void balance_product() {
     const BalanceView<Real> view = balance_view();
     BodyView<Real> moved = body_;
-    moved.u = view.direction;
+    moved.u = {view.direction};
     moved.force = view.product;
     each_batch([&](auto element, const auto& law, int b) { elastic_forces(element, law.elastic(), b, moved); });
     gather_boundary(view.product);
@@ -408,8 +408,8 @@ class Phases final : public Backend {
   }
   void damping_force(double factor) {
     BodyView<Real> moved = body_;
-    moved.u = u_before_.data();
-    moved.force = motion_.scale_velocity(exec_, body_, factor, u_before_.data());
+    moved.u = {u_before_.view().high};
+    moved.force = motion_.scale_velocity(exec_, body_, factor, moved.u.high);
     each_batch([&](auto element, const auto& law, int b) { elastic_forces(element, law.elastic(), b, moved); });
     gather_boundary(moved.force);
   }
@@ -457,6 +457,8 @@ class Phases final : public Backend {
     }
     throw std::logic_error("not a field");
   }
+  static void copy_in(SummedArray<Exec, Real>& array, std::span<const double> values) { array.upload(values); }
+  static void copy_out(const SummedArray<Exec, Real>& array, std::span<double> values) { array.download(values); }
   template <class T>
   static void copy_in(Array<T>& array, std::span<const double> values) {
     if (values.size() != array.size()) throw std::logic_error("field of the wrong size");
@@ -484,7 +486,8 @@ class Phases final : public Backend {
   Array<Real> no_slip_;
   HeatLane<Exec, Real> heat_;
   MotionLane<Exec, Real> motion_;
-  Array<Real> x_, u_, v_, load_, force_, kept_force_, u_before_, inverse_mass_, stiffness_, corner_force_, partial_,
+  SummedArray<Exec, Real> u_, u_before_;
+  Array<Real> x_, v_, load_, force_, kept_force_, inverse_mass_, stiffness_, corner_force_, partial_,
       warming_, stress_, history_;
   Array<std::uint8_t> fixed_;
   std::array<double, relaxation_sum_count> relaxation_sums_{};

@@ -19,7 +19,7 @@ struct BalanceView {
   const int* aggregate = nullptr;        ///< [nodes]
   const int* aggregate_first = nullptr;  ///< [aggregates + 1] into aggregate_node
   const int* aggregate_node = nullptr;   ///< [nodes]
-  const Real* centre = nullptr;          ///< [3 * aggregates] m
+  const Real* arm = nullptr;             ///< [3 * nodes] m, from the centre of the node's aggregate
   ASHLAR_HD bool held(int node, int c) const { return (unsigned(body.fixed[node]) >> c) & 1u; }
 };
 
@@ -70,9 +70,7 @@ struct BalanceRestrict {
     double s[rigid_modes] = {};
     for (int j = view.aggregate_first[a]; j < view.aggregate_first[a + 1]; ++j) {
       const int n = 3 * view.aggregate_node[j];
-      const double x = double(view.body.x[n]) - double(view.centre[3 * a]);
-      const double y = double(view.body.x[n + 1]) - double(view.centre[3 * a + 1]);
-      const double z = double(view.body.x[n + 2]) - double(view.centre[3 * a + 2]);
+      const double x = view.arm[n], y = view.arm[n + 1], z = view.arm[n + 2];
       const double fx = view.residual[n], fy = view.residual[n + 1], fz = view.residual[n + 2];
       s[0] += fx;
       s[1] += fy;
@@ -91,11 +89,9 @@ struct BalanceProlong {
   BalanceView<Real> view;
   const double* movement;  ///< [6 * aggregates] m, rad
   ASHLAR_HD void operator()(int node) const {
-    const int a = view.aggregate[node], n = 3 * node;
-    const double* m = movement + rigid_modes * a;
-    const double x = double(view.body.x[n]) - double(view.centre[3 * a]);
-    const double y = double(view.body.x[n + 1]) - double(view.centre[3 * a + 1]);
-    const double z = double(view.body.x[n + 2]) - double(view.centre[3 * a + 2]);
+    const int n = 3 * node;
+    const double* m = movement + rigid_modes * view.aggregate[node];
+    const double x = view.arm[n], y = view.arm[n + 1], z = view.arm[n + 2];
     const double moved[3] = {m[0] + m[4] * z - m[5] * y, m[1] + m[5] * x - m[3] * z, m[2] + m[3] * y - m[4] * x};
     for (int c = 0; c < 3; ++c)
       if (!view.held(node, c)) view.preconditioned[n + c] += Real(moved[c]);
@@ -123,7 +119,9 @@ struct BalanceAdvance {
     for (int c = 0; c < 3; ++c) {
       if (view.held(node, c)) continue;
       const int i = 3 * node + c;
-      view.body.u[i] = fma(length, view.direction[i], view.body.u[i]);
+      SummedValue<Real> u = view.body.u[i];
+      u.add_product(length, view.direction[i]);
+      view.body.u.write(i, u);
       view.residual[i] = fma(-length, view.product[i], view.residual[i]);
     }
   }

@@ -63,16 +63,19 @@ struct StoredPoints {
 /// For laws without memory in a body without temperature.
 struct NoPoints {};
 
-/// Corner coordinates and displacements of one element.
+/// Corner coordinates (from the origin of its patch) and displacements of one element; see relative() for the latter.
 template <int corners, class Real>
 ASHLAR_HD void read_corners(const BodyView<Real>& body, const BatchView& batch, int i, Real (&x)[3][corners],
                             Real (&u)[3][corners]) {
+  const int first = batch.first_entry(body.nodes, i);
+  const int base = 3 * body.nodes.entry_node[first + body.nodes.corner_entry[batch.slot(i, corners, 0)]];
   ASHLAR_UNROLL
   for (int k = 0; k < corners; ++k) {
-    const int n = 3 * body.nodes.corner_node[batch.slot(i, corners, k)];
+    const int entry = first + body.nodes.corner_entry[batch.slot(i, corners, k)];
+    const int n = 3 * body.nodes.entry_node[entry];
     for (int c = 0; c < 3; ++c) {
-      x[c][k] = body.x[n + c];
-      u[c][k] = body.u[n + c];
+      x[c][k] = body.x[3 * entry + c];
+      u[c][k] = relative(body.u[n + c], body.u[base + c]);
     }
   }
 }

@@ -8,17 +8,19 @@ namespace ashlar {
 /// Corner coordinates of one element, [component][corner].
 template <int corners, class Real>
 ASHLAR_HD void read_places(const HeatView<Real>& heat, const BatchView& batch, int i, Real (&x)[3][corners]) {
+  const int first = batch.first_entry(heat.nodes, i);
   ASHLAR_UNROLL
   for (int k = 0; k < corners; ++k)
-    for (int c = 0; c < 3; ++c) x[c][k] = heat.x[3 * heat.nodes.corner_node[batch.slot(i, corners, k)] + c];
+    for (int c = 0; c < 3; ++c)
+      x[c][k] = heat.x[3 * (first + heat.nodes.corner_entry[batch.slot(i, corners, k)]) + c];
 }
 
-/// A nodal field at the corners of one element.
-template <int corners, class Real>
-ASHLAR_HD void read_field(const NodeSetView& nodes, const BatchView& batch, int i, const Real* field,
-                          Real (&values)[corners]) {
+/// Nodes at the corners of one element.
+template <int corners>
+ASHLAR_HD void read_nodes(const NodeSetView& nodes, const BatchView& batch, int i, int (&node)[corners]) {
+  const int first = batch.first_entry(nodes, i);
   ASHLAR_UNROLL
-  for (int k = 0; k < corners; ++k) values[k] = field[nodes.corner_node[batch.slot(i, corners, k)]];
+  for (int k = 0; k < corners; ++k) node[k] = nodes.entry_node[first + nodes.corner_entry[batch.slot(i, corners, k)]];
 }
 
 /// One element -> heat leaving through its own corner slots.
@@ -27,13 +29,16 @@ struct HeatFlow {
   HeatView<Real> heat;
   BatchView batch;
   Real conductivity;
-  const Real* field;  ///< [nodes] temperature, or the search direction of conjugate gradients
+  Summed<Real> field;  ///< [nodes] temperature, or the search direction of conjugate gradients
 
   ASHLAR_HD void operator()(int i) const {
     constexpr int corners = Element<Real>::corners;
     Real x[3][corners], temperature[corners], flow[corners];
     read_places(heat, batch, i, x);
-    read_field(heat.nodes, batch, i, field, temperature);
+    int node[corners];
+    read_nodes(heat.nodes, batch, i, node);
+    ASHLAR_UNROLL
+    for (int k = 0; k < corners; ++k) temperature[k] = relative(field[node[k]], field[node[0]]);
     heat_flow<Element<Real>>(x, temperature, conductivity, flow);
     ASHLAR_UNROLL
     for (int k = 0; k < corners; ++k) heat.corner[batch.slot(i, corners, k)] = flow[k];
@@ -44,12 +49,12 @@ struct HeatFlow {
 template <class Real>
 struct FilmFlow {
   HeatView<Real> heat;
-  const Real* field;  ///< [nodes]
+  Summed<Real> field;  ///< [nodes]
 
   ASHLAR_HD void operator()(int i) const {
     Real sum = heat.flow[heat.film_node[i]];
     for (int j = heat.film_first[i]; j < heat.film_first[i + 1]; ++j)
-      sum = fma(heat.film_value[j], field[heat.film_column[j]], sum);
+      sum = fma(heat.film_value[j], field[heat.film_column[j]].high, sum);
     heat.flow[heat.film_node[i]] = sum;
   }
 };

@@ -15,9 +15,10 @@ struct GaussTemperature {
   ASHLAR_HD void operator()(int i) const {
     constexpr int corners = Element<Real>::corners;
     Real temperature[corners];
-    read_field(heat.nodes, batch, i, heat.temperature, temperature);
+    int node[corners];
+    read_nodes(heat.nodes, batch, i, node);
     // the difference before the sum: no rounding of large temperatures enters a small warming
-    for (int k = 0; k < corners; ++k) temperature[k] = temperature[k] - reference;
+    for (int k = 0; k < corners; ++k) temperature[k] = heat.temperature.above(node[k], reference);
     ASHLAR_UNROLL
     for (int g = 0; g < Element<Real>::gauss_points; ++g)
       warming[batch.gauss(i, g)] = at_gauss_point<Element<Real>>(temperature, g);

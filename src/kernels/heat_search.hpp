@@ -26,7 +26,9 @@ struct AdvanceSearch {
 
   ASHLAR_HD void operator()(int node) const {
     if (heat.held[node]) return;
-    heat.temperature[node] = fma(length, heat.direction[node], heat.temperature[node]);
+    SummedValue<Real> temperature = heat.temperature[node];
+    temperature.add_product(length, heat.direction[node]);
+    heat.temperature.write(node, temperature);
     heat.residual[node] = fma(-length, heat.flow[node], heat.residual[node]);
   }
 };

@@ -13,8 +13,9 @@ struct StepHeat {
 
   ASHLAR_HD void operator()(int node) const {
     if (heat.held[node]) return;
-    heat.temperature[node] =
-        fma(time_step * heat.inverse_capacity[node], heat.heat[node] - heat.flow[node], heat.temperature[node]);
+    SummedValue<Real> temperature = heat.temperature[node];
+    temperature.add_product(time_step * heat.inverse_capacity[node], heat.heat[node] - heat.flow[node]);
+    heat.temperature.write(node, temperature);
   }
 };
 

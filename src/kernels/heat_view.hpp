@@ -9,8 +9,8 @@ namespace ashlar {
 template <class Real>
 struct HeatView {
   NodeSetView nodes;
-  const Real* x = nullptr;                 ///< [3 * nodes] m
-  Real* temperature = nullptr;             ///< [nodes] degC
+  const Real* x = nullptr;                 ///< [3 * entries] m, from the origin of the entry's patch
+  Summed<Real> temperature;                ///< [nodes] degC
   const Real* heat = nullptr;              ///< [nodes] W into the body: flux, and film times ambient
   const Real* inverse_capacity = nullptr;  ///< [nodes] K/J
   const std::uint8_t* held = nullptr;      ///< [nodes] 1: temperature is given

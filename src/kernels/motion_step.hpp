@@ -38,7 +38,9 @@ struct StepMotion {
       const Real resisting = resistance(i, v);
       const Real moved = fma(keep, v, gain * (inverse_mass * (body.load[i] - body.force[i] - resisting)));
       body.v[i] = moved;
-      body.u[i] = fma(step.displacement_step, moved, body.u[i]);
+      SummedValue<Real> u = body.u[i];
+      u.add_product(step.displacement_step, moved);
+      body.u.write(i, u);
       const double way = 0.5 * (double(step.displacement_step) * double(moved) + step.step_before * double(v));
       supplied += way * double(body.load[i]);
       damped += way * (double(resisting) + viscous * (double(moved) + double(v)));

@@ -25,7 +25,7 @@ struct MotionSums {
   ASHLAR_HD void operator()(int node, double (&s)[motion_sum_count]) const {
     for (int c = 0; c < 3; ++c) {
       const int i = 3 * node + c;
-      const double u = body.u[i], v = body.v[i], rest = body.kept_force[i];
+      const double u = body.u.whole(i), v = body.v[i], rest = body.kept_force[i];
       const double before = u - step_before * v;
       s[motion_kinetic] += 0.5 * v * v / double(body.inverse_mass[node]);
       s[motion_potential] += 0.5 * (before * double(body.force[i]) + u * rest);

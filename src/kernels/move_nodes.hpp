@@ -22,7 +22,8 @@ struct MoveNode {
 
   /// What a step needs of the node beside its force, N.
   struct Before {
-    Real u[3], v[3], load[3], inverse_mass;
+    SummedValue<Real> u[3];
+    Real v[3], load[3], inverse_mass;
     std::uint8_t fixed;
   };
   ASHLAR_HD Before read(int node) const {
@@ -52,7 +53,9 @@ struct MoveNode {
     if (held(b, c)) return;
     const Real moved = fma(d.keep, b.v[c], d.gain * fma(b.inverse_mass, damped_force(d, b, c, force), shared));
     body.v[3 * node + c] = moved;
-    body.u[3 * node + c] = b.u[c] + moved;
+    SummedValue<Real> u = b.u[c];
+    u.add(moved);
+    body.u.write(3 * node + c, u);
   }
 
   ASHLAR_HD void operator()(int node, const Before& b, const Real (&force)[3]) const {

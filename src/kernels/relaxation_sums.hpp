@@ -32,7 +32,7 @@ struct RelaxationSums {
     bool any_held = false;
     for (int j = groups.begin(group); j < groups.end(group); ++j) {
       const int node = groups.node(j), i = 3 * node + c;
-      const double load = body.load[i], force = body.force[i], u = body.u[i], v = body.v[i];
+      const double load = body.load[i], force = body.force[i], u = body.u.whole(i), v = body.v[i];
       const double residual = load - force;
       s[sum_load] += load * load;
       s[sum_load_work] += u * load;

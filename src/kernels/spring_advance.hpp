@@ -9,7 +9,7 @@ namespace ashlar {
 template <class Real>
 struct AdvanceSprings {
   SpringView<Real> springs;
-  const Real* u;
+  Summed<Real> u;
   Real* slip;           ///< [3 * contacts] m, the same array as SpringView::slip
   double* dissipation;  ///< [contacts] J, since the stage began
 

@@ -8,7 +8,7 @@ namespace ashlar {
 template <class Real>
 struct SpringUtilisation {
   SpringView<Real> springs;
-  const Real* u;
+  Summed<Real> u;
   Real* used;  ///< [contacts]
 
   ASHLAR_HD void operator()(int c) const {
@@ -22,8 +22,8 @@ struct SpringUtilisation {
 template <class Real>
 struct SpringCrossing {
   SpringView<Real> springs;
-  const Real* u_before;
-  const Real* u;
+  Summed<Real> u_before;
+  Summed<Real> u;
   Real* fraction;  ///< [contacts]
 
   ASHLAR_HD void operator()(int c) const {
@@ -38,7 +38,7 @@ struct SpringCrossing {
 template <class Real>
 struct BreakSprings {
   SpringView<Real> springs;
-  const Real* u;
+  Summed<Real> u;
   Real threshold;
 
   ASHLAR_HD void operator()(int c) const {

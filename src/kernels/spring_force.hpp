@@ -11,7 +11,7 @@ namespace ashlar {
 template <class Real>
 struct SpringForce {
   SpringView<Real> springs;
-  const Real* u;  ///< [3 * block nodes] m
+  Summed<Real> u;  ///< [3 * block nodes] m
 
   ASHLAR_HD void operator()(int c) const {
     const Vec3<Real> traction = joined(springs.answer(u, c).traction, springs.normal_of(c));

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "model/summed.hpp"
 #include "physics/interface_laws/spring.hpp"
 
 namespace ashlar {
@@ -32,13 +33,12 @@ struct SpringView {
   ASHLAR_HD Vec3<Real> slip_of(int c) const { return {slip[3 * c], slip[3 * c + 1], slip[3 * c + 2]}; }
   ASHLAR_HD SpringStiffness<Real> stiffness_of(int c) const { return {normal_stiffness[c], shear_stiffness[c]}; }
   ASHLAR_HD const SpringLaw<Real>& law_of(int c) const { return laws[interface[c]]; }
-  ASHLAR_HD Vec3<Real> gap(const Real* u, int c) const {
-    const Real* a = u + 3 * node_a[c];
-    const Real* b = u + 3 * node_b[c];
-    return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  ASHLAR_HD Vec3<Real> gap(const Summed<Real>& u, int c) const {
+    const int a = 3 * node_a[c], b = 3 * node_b[c];
+    return {difference(u[b], u[a]), difference(u[b + 1], u[a + 1]), difference(u[b + 2], u[a + 2])};
   }
   /// Traction of contact c at displacement u, and the slip that goes with it.
-  ASHLAR_HD SpringAnswer<Real> answer(const Real* u, int c) const {
+  ASHLAR_HD SpringAnswer<Real> answer(const Summed<Real>& u, int c) const {
     const auto& law = law_of(c);
     return spring_traction(law.holds(state[c]), law.tan_friction, stiffness_of(c), split(gap(u, c), normal_of(c)),
                            slip_of(c));

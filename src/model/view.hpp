@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-#include "base/hd.hpp"
+#include "model/summed.hpp"
 
 /// All that kernels see: trivially copyable pointers and counts. Owned by a backend.
 namespace ashlar {
@@ -9,7 +9,6 @@ namespace ashlar {
 /// Nodes, patches and sums of one node set (see Topology).
 struct NodeSetView {
   int node_count = 0, interior_count = 0, entry_count = 0;
-  const int* corner_node = nullptr;             ///< [slots]
   const std::uint16_t* corner_entry = nullptr;  ///< [slots]
   const int* patch_first_entry = nullptr;       ///< [patches + 1]
   const int* patch_interior = nullptr;          ///< [patches]
@@ -38,9 +37,14 @@ struct GroupView {
 
 /// A contiguous run of elements of one batch: what an element kernel loops over.
 struct BatchView {
+  int first_patch = 0, patch_size = 1;  ///< elements a patch
   int element_count = 0;
   int first_slot = 0, first_gauss = 0;
   int first_history = 0;  ///< of the Gauss points that remember, its first
+  /// First of its patch's entries, for the batch's element i.
+  ASHLAR_HD int first_entry(const NodeSetView& nodes, int i) const {
+    return nodes.patch_first_entry[first_patch + i / patch_size];
+  }
   /// Corner slot and Gauss point of the batch's element i.
   ASHLAR_HD int slot(int i, int corners, int k) const { return first_slot + i * corners + k; }
   ASHLAR_HD int gauss(int i, int g) const { return first_gauss + g * element_count + i; }
@@ -51,8 +55,8 @@ struct BatchView {
 template <class Real>
 struct BodyView {
   NodeSetView nodes;
-  const Real* x = nullptr;              ///< [3 * nodes] m
-  Real* u = nullptr;                    ///< [3 * nodes] displacement, m
+  const Real* x = nullptr;              ///< [3 * entries] m, from the origin of the entry's patch
+  Summed<Real> u;                       ///< [3 * nodes] displacement, m
   Real* v = nullptr;                    ///< [3 * nodes] velocity (static stages: displacement of one step, m)
   const Real* load = nullptr;           ///< [3 * nodes] external force, N
   Real* force = nullptr;                ///< [3 * nodes] internal and contact force, N: at rest load = force
