@@ -78,13 +78,15 @@ def runs(names=()):
     return found
 
 
-def solve(program, run, folder, threads=None):
+def solve(program, run, folder, threads=None, precision=None):
     """Runs a deck into `folder`, which must not exist."""
     command = [program, "run", str(run.deck), "--out", str(folder)]
     for argument in run.arguments:
         command += ["--set", argument]
     if threads:
         command += ["--threads", str(threads)]
+    if precision:
+        command += ["--precision", precision]
     # Threads that spin while they wait slow each other where there are more of them than cores.
     done = subprocess.run(command, capture_output=True, text=True, check=False,
                           env={**os.environ, "OMP_WAIT_POLICY": "passive"})

@@ -158,7 +158,7 @@ class Phases final : public Backend {
              .history_stride = first_history_.back()};
   }
 
-  std::string name() const override { return exec_.name(); }
+  std::string name() const override { return exec_.name() + (Summed<Real>::paired ? ", single precision" : ""); }
   double rounding() const override { return std::numeric_limits<Real>::epsilon(); }
   void use_warming(bool on) override { warm_ = on; }
   void finish() override { exec_.finish(); }

@@ -22,6 +22,7 @@ struct Arguments {
   std::vector<std::pair<std::string, std::string>> settings;  ///< --set name=value, in order
   int threads = 0;                                            ///< --threads; 0: all cores
   DeviceChoice device;                                        ///< --device; automatic unless given
+  Precision precision = Precision::double_precision;          ///< --precision
   int elements = 0;                                           ///< --elements; 0: the usual sizes
   std::string out;                                            ///< --out
   bool force = false;                                         ///< --force

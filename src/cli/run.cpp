@@ -52,7 +52,7 @@ RunDescription describe(const Deck& deck, const Arguments& arguments, const std:
                              .files = deck.files,
                              .arguments = {},
                              .device = device,
-                             .precision = "double",
+                             .precision = arguments.precision == Precision::double_precision ? "double" : "single",
                              .threads = arguments.threads};
   for (const Argument& a : deck.arguments) description.arguments.push_back({a.name, a.value, a.unit, a.set});
   return description;
@@ -65,7 +65,7 @@ int run_command(const Arguments& arguments) {
   Deck deck = read_deck(arguments.operands[0], {arguments.settings.begin(), arguments.settings.end()});
   build_mesh(deck.model);
   check_model(deck.model);
-  Problem problem(deck.model, {.threads = arguments.threads, .device = arguments.device});
+  Problem problem(deck.model, {arguments.precision, arguments.threads, arguments.device});
   plan_stages(problem);  // refuses what a later stage could not start with
 
   const RunFolder folder(arguments.out.empty() ? run_folder_name(deck.path) : arguments.out, arguments.force);

@@ -67,4 +67,16 @@ inline constexpr int patch_size_single = 256;
 Discretisation discretise(const Mesh& mesh, const Blocks& blocks, const std::vector<int>& material_of_region,
                           int patch_size);
 
+/// Points at the entries of a node set, from the first entry of each patch: small numbers, whatever the model's place.
+template <class Real>
+std::vector<Real> places_in_patches(const Topology& t, const std::vector<Vec3<double>>& points) {
+  std::vector<Real> places(3 * t.entry_node.size());
+  for (std::size_t p = 0; p + 1 < t.patch_first_entry.size(); ++p)
+    for (int e = t.patch_first_entry[p]; e < t.patch_first_entry[p + 1]; ++e)
+      for (int c = 0; c < 3; ++c)
+        places[3 * std::size_t(e) + c] =
+            Real(points[t.entry_node[e]][c] - points[t.entry_node[t.patch_first_entry[p]]][c]);
+  return places;
+}
+
 }  // namespace ashlar

@@ -11,6 +11,9 @@ constexpr int sum_interval = 10;     // steps between two looks at the sums
 constexpr double most_damping = 1.9;  // bound of the viscous coefficient of one step
 constexpr double local_alpha = 0.8;   // Cundall's usual value
 constexpr double viscous_default = 0.02;
+constexpr double noise_ratio = 1e5;     // roundings in a ratio below which it may be rounding that keeps it from falling
+constexpr double worth_going_on = 0.7;  // a ratio that has not fallen to this share of its lowest ...
+constexpr long patience = 500;          // ... for so many steps, and half as long as it took to get there, has stopped
 constexpr double rounding_floor = 1e4;  // roundings in an unbalanced force ratio that cannot fall further
 
 /// Coefficient near critical damping of the lowest mode that still moves (Underwood 1983, in the incremental form that
@@ -59,7 +62,8 @@ Equilibrium relax(Backend& backend, const Relaxation& relaxation, double scale, 
   const long limit = relaxation.max_steps > 0 ? relaxation.max_steps : 1000000;
 
   Equilibrium result;
-  double peak_kinetic = 0;
+  double peak_kinetic = 0, lowest_ratio = HUGE_VAL;
+  long lowest_at = 0;
   for (long step = sum_interval;; step += sum_interval) {
     backend.relax(controls, sum_interval - 2);
     evaluate_force(backend);
@@ -81,6 +85,13 @@ Equilibrium relax(Backend& backend, const Relaxation& relaxation, double scale, 
     if (result.ratio <= relaxation.tolerance && still) {
       result.converged = true;
       result.stop_reason = "converged";
+      return result;
+    }
+    if (result.ratio < worth_going_on * lowest_ratio) {
+      lowest_ratio = result.ratio;
+      lowest_at = step;
+    } else if (result.ratio < noise_ratio * backend.rounding() && step - lowest_at > std::max(patience, lowest_at / 2)) {
+      result.stop_reason = "precision limit";
       return result;
     }
     if (step >= limit) {

@@ -13,7 +13,7 @@ struct Equilibrium {
   bool interrupted = false;
   long steps = 0;
   double ratio = 1;         ///< unbalanced force ratio
-  std::string stop_reason;  ///< "converged", "step limit", "not finite (...)", "interrupted"
+  std::string stop_reason;  ///< "converged", "precision limit", "step limit", "not finite (...)", "interrupted"
 };
 
 /// Called every few steps with the steps done and the ratio; true stops the relaxation.

@@ -31,7 +31,7 @@ class Lane {
     std::iota(blocks.mesh_node.begin(), blocks.mesh_node.end(), 0);
     d = discretise(mesh, blocks, {0}, patch_size);
     const Topology& t = d.heat;
-    for (const auto& p : d.heat_points) x.insert(x.end(), {p.x, p.y, p.z});
+    x = places_in_patches<double>(t, d.heat_points);
     for (auto* a : {&temperature, &heat, &inverse_capacity, &flow}) a->assign(t.node_count, 0);
     held.assign(t.node_count, 0);
     bound.assign(2 * t.node_count, 0);
@@ -40,7 +40,6 @@ class Lane {
     view.nodes = {.node_count = t.node_count,
                   .interior_count = t.interior_count,
                   .entry_count = t.entry_count(),
-                  .corner_node = t.corner_node.data(),
                   .corner_entry = t.corner_entry.data(),
                   .patch_first_entry = t.patch_first_entry.data(),
                   .patch_interior = t.patch_interior.data(),
@@ -50,7 +49,7 @@ class Lane {
                   .boundary_first = t.boundary_first.data(),
                   .boundary_entry = t.boundary_entry.data()};
     view.x = x.data();
-    view.temperature = temperature.data();
+    view.temperature = {temperature.data()};
     view.heat = heat.data();
     view.inverse_capacity = inverse_capacity.data();
     view.held = held.data();
@@ -76,7 +75,7 @@ class Lane {
   template <class Work>
   void each_batch(Work work) {
     for (const Batch& b : d.batches) {
-      const BatchView batch{b.element_count, b.first_slot, b.first_gauss};
+      const BatchView batch{b.first_patch, d.patch_size, b.element_count, b.first_slot, b.first_gauss};
       if (b.shape == Shape::hex8) work(Hex8<double>{}, batch);
       if (b.shape == Shape::wedge6) work(Wedge6<double>{}, batch);
       if (b.shape == Shape::tet4) work(Tet4<double>{}, batch);

@@ -46,20 +46,20 @@ struct Springs {
     return v;
   }
   /// Internal force of the springs at displacement u.
-  std::vector<double> pull(const std::vector<double>& u) {
+  std::vector<double> pull(std::vector<double> u) {
     std::vector<double> f(u.size(), 0.0);
     const auto springs = view();
-    for (int c = 0; c < springs.contact_count; ++c) SpringForce<double>{springs, u.data()}(c);
+    for (int c = 0; c < springs.contact_count; ++c) SpringForce<double>{springs, {u.data()}}(c);
     for (int i = 0; i < springs.node_count; ++i) GatherSpring<double>{springs, f.data()}(i);
     return f;
   }
-  double largest_utilisation(const std::vector<double>& u) {
+  double largest_utilisation(std::vector<double> u) {
     std::vector<double> used(state.size());
-    for (int c = 0; c < static_cast<int>(used.size()); ++c) SpringUtilisation<double>{view(), u.data(), used.data()}(c);
+    for (int c = 0; c < static_cast<int>(used.size()); ++c) SpringUtilisation<double>{view(), {u.data()}, used.data()}(c);
     return *std::max_element(used.begin(), used.end());
   }
-  void break_springs(const std::vector<double>& u, double threshold) {
-    for (int c = 0; c < static_cast<int>(state.size()); ++c) BreakSprings<double>{view(), u.data(), threshold}(c);
+  void break_springs(std::vector<double> u, double threshold) {
+    for (int c = 0; c < static_cast<int>(state.size()); ++c) BreakSprings<double>{view(), {u.data()}, threshold}(c);
   }
 };
 
@@ -164,10 +164,10 @@ TEST(springs, crossing_is_where_the_strength_is_used_up) {
                                                {0, 0, 0, 1e-5, 4e-5, -3e-6},
                                                {0, 0, 0, 2e-5, -3e-5, 6e-6},
                                                {0, 0, 0, 0, 1e-4, -1e-4}};
-  for (const auto& from : before)
-    for (const auto& to : after) {
+  for (auto from : before)
+    for (auto to : after) {
       double fraction = 0;
-      SpringCrossing<double>{springs.view(), from.data(), to.data(), &fraction}(0);
+      SpringCrossing<double>{springs.view(), {from.data()}, {to.data()}, &fraction}(0);
       ASSERT_LE(fraction, 1);
       std::vector<double> there(6);
       for (int i = 0; i < 6; ++i) there[i] = from[i] + fraction * (to[i] - from[i]);
@@ -180,11 +180,11 @@ TEST(springs, a_path_below_the_strength_has_no_crossing) {
   springs.laws = {brittle};
   springs.add(0, 1, {0, 0, 1}, 1, 1e11, 1e11);
   springs.link(2);
-  const std::vector<double> from{0, 0, 0, 1e-6, 0, 0};
-  for (const auto& to :
+  std::vector<double> from{0, 0, 0, 1e-6, 0, 0};
+  for (auto to :
        {std::vector<double>{0, 0, 0, 2e-6, 0, -1e-3}, {0, 0, 0, 1e-5, 0, -1e-5}, {0, 0, 0, 0, 0, 9e-6}}) {
     double fraction = 0;
-    SpringCrossing<double>{springs.view(), from.data(), to.data(), &fraction}(0);
+    SpringCrossing<double>{springs.view(), {from.data()}, {to.data()}, &fraction}(0);
     EXPECT_GT(fraction, 1);
   }
 }
