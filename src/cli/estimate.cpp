@@ -10,8 +10,9 @@ namespace ashlar {
 namespace {
 
 // Steps per element across and decade of the ratio, fitted to runs of dams, whole and split into blocks: right within a
-// factor of two or three for such bodies. The elastic search of static stages hardly feels the mesh beyond some size.
-constexpr double search_steps = 1, most_search_steps = 45, relaxation_steps = 8, steady_steps = 0.45;
+// factor of two or three for such bodies. The elastic search of static stages hardly feels the mesh beyond some size;
+// fracture increments and crack events begin near their balance.
+constexpr double search_steps = 1, most_search_steps = 45, event_steps = 4, rest_steps = 8, steady_steps = 0.45;
 // Time of a whole step over that of its largest piece, which is measured.
 constexpr double search_over_force = 2.2, relaxation_over_force = 1.6, motion_over_force = 1.4, march_over_heat = 1.2,
                  steady_over_heat = 1.4;
@@ -77,12 +78,18 @@ std::vector<std::string> estimate_effort(const Problem& problem, const std::vect
       words = "about " + rounded(steps) + " iterations";
     } else {
       const Relaxation& relaxation = *relaxation_of(stage);
+      const int increments = plan[i].increments;
       const bool searches = !fracture && relaxation.search;
       const double decades = 1 - std::log10(relaxation.tolerance);
-      steps = decades * (searches ? std::min(search_steps * across, most_search_steps) : relaxation_steps * across);
+      steps = decades * (searches   ? std::min(search_steps * across, most_search_steps)
+                         : fracture ? event_steps * across
+                                    : rest_steps * across);
       step = (searches ? search_over_force : relaxation_over_force) * seconds.force;
       words = "about " + rounded(steps) + " steps";
-      if (fracture) after = text(", for each of %d increments and of the crack events", fracture->increments);
+      if (fracture)
+        after = text(", for each of %d increments and of the crack events", increments);
+      else if (increments > 1)
+        words += text(" for each of %d increments", increments), steps *= increments;
     }
     const std::string time = step * steps < 1 ? "less than a second" : "about " + duration_text(step * steps);
     lines.push_back("stage " + stage.name + ": " + words + ", " + time + after);

@@ -21,7 +21,8 @@ StagePlan plan_stage(Problem& problem, int number) {
     return {steps.count, steps.length};
   }
   mechanical_conditions(problem, number);
-  if (!std::holds_alternative<DynamicSolve>(stage.solve)) return {};
+  if (const auto* solve = std::get_if<StaticSolve>(&stage.solve)) return {0, 0, static_increments(problem, *solve)};
+  if (const auto* solve = std::get_if<FractureSolve>(&stage.solve)) return {0, 0, solve->increments};
   const MotionSteps steps = motion_steps(problem, stage);
   return {steps.count, steps.length};
 }
@@ -42,6 +43,12 @@ double shortest_time(Backend& backend, Piece piece) {
 }
 
 }  // namespace
+
+int static_increments(const Problem& problem, const StaticSolve& solve) {
+  constexpr int with_plastic_materials = 20;
+  if (solve.increments > 0) return solve.increments;
+  return problem.backend->size(Field::history) > 0 ? with_plastic_materials : 1;
+}
 
 std::vector<StagePlan> plan_stages(Problem& problem) {
   std::vector<StagePlan> plans;

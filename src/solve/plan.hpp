@@ -9,7 +9,11 @@ namespace ashlar {
 struct StagePlan {
   long steps = 0;        ///< dynamic and transient thermal stages; 0: only solving tells
   double time_step = 0;  ///< s, of these
+  int increments = 1;    ///< static and fracture stages: balances, one after another
 };
+
+/// Increments of what is out of balance at the start of a static stage.
+int static_increments(const Problem& problem, const StaticSolve& solve);
 
 /// Sets up every stage of the model without solving it, so that what a run would refuse is refused before its first
 /// step. Throws DeckError with the complaints of all stages. A run of the problem starts from the same state after it.

@@ -10,6 +10,7 @@
 #include "solve/dynamic.hpp"
 #include "solve/elastic_start.hpp"
 #include "solve/fracture.hpp"
+#include "solve/plan.hpp"
 #include "solve/plastic_output.hpp"
 #include "solve/recorder.hpp"
 #include "solve/relaxation.hpp"
@@ -225,7 +226,7 @@ class Run {
   void solve_stage(const StaticSolve& how) {
     Backend& backend = *problem_.backend;
     increment_ = 0;
-    increments_ = how.increments > 0 ? how.increments : backend.size(Field::history) > 0 ? usual_increments : 1;
+    increments_ = static_increments(problem_, how);
     evaluate_force(backend);
     const Start start{backend.read(Field::load), surface_load_, backend.read(Field::force),
                       backend.read(Field::displacement), body_temperature_};
@@ -357,7 +358,6 @@ class Run {
   }
 
   static constexpr long max_static_events = 100000;
-  static constexpr int usual_increments = 20;  // of static stages with plastic materials
 
   Problem& problem_;
   Observer& observer_;
