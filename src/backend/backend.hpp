@@ -48,6 +48,7 @@ enum class Phase : std::uint8_t {
   advance_springs,       ///< springs crack and slide by the present displacement
   damping_force,         ///< stiffness-proportional: Controls::stiffness_damping times elastic force of the velocity
   step_motion,           ///< velocity, then displacement, in time with the real mass
+  combine_parts,         ///< Controls::combined of the moment from its parts and Controls::factors
   count
 };
 const char* phase_name(Phase phase);
@@ -73,6 +74,8 @@ enum class Field : std::uint8_t {
   heat,                 ///< [mesh nodes] W into the body: flux, and film times ambient
   inverse_capacity,     ///< [mesh nodes] K/J
   held,                 ///< [mesh nodes] 1: temperature is given
+  given_velocity,       ///< [3 * block nodes] m/s of held components in motions; empty: at rest
+  given_temperature,    ///< [mesh nodes] degC that held nodes take with the next step; empty: they keep theirs
   heat_flow,            ///< [mesh nodes] W leaving each node by conduction and film
   heat_bound,           ///< [2 * mesh nodes] W/K, diagonal and absolute row sum of conduction and film
 };
@@ -90,6 +93,8 @@ struct Controls {
   double search_length = 0;      ///< conjugate gradients: alpha
   double search_keep = 0;        ///< conjugate gradients: beta
   int steps = 1;                 ///< relaxation_steps
+  Field combined{};              ///< combine_parts
+  std::span<const double> factors{};  ///< combine_parts: of every part after the first
 };
 
 struct RelaxationMeasure {
@@ -183,6 +188,9 @@ class Backend {
   virtual std::vector<double> balance_resultants() = 0;
   /// Adds rigid movements [6 * aggregates], m and rad, to the preconditioned residual.
   virtual void add_movements(const std::vector<double>& movement) = 0;
+  /// Parts of a field that is linear in a few numbers: load, heat, given_velocity or given_temperature is the first
+  /// part plus factors times the others. No parts: forgotten, with what was given.
+  virtual void write_parts(Field field, const std::vector<std::vector<double>>& parts) = 0;
   /// Exchange with the surroundings, nodes numbered as on the machine.
   virtual void write_films(const FilmMatrix& films) = 0;
   virtual std::size_t size(Field field) const = 0;

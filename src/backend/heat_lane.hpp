@@ -68,6 +68,10 @@ class HeatLane {
     view_.film_value = film_value_.data();
   }
 
+  void give_temperature(std::size_t nodes) {
+    given_temperature.resize(nodes);
+    view_.given_temperature = nodes > 0 ? given_temperature.data() : nullptr;
+  }
   void find_flow(Exec& exec) { find_flow_of(exec, view_.temperature); }
   void find_search_flow(Exec& exec) { find_flow_of(exec, {view_.direction}); }
   void step(Exec& exec, double time_step) { exec.for_each(node_count(), StepHeat<Real>{view_, Real(time_step)}); }
@@ -135,7 +139,7 @@ class HeatLane {
 
  public:
   SummedArray<Exec, Real> temperature;
-  Array<Real> heat, inverse_capacity, flow, bound;
+  Array<Real> heat, inverse_capacity, flow, bound, given_temperature;
   Array<std::uint8_t> held;
 };
 

@@ -39,13 +39,15 @@ class MotionLane {
   template <class T>
   using Array = typename Exec::template Array<T>;
   MotionView<Real> view() {
-    return {damped_by_stiffness_ ? damping_force_.data() : nullptr, supplied_.data(), damped_.data()};
+    return {damped_by_stiffness_ ? damping_force_.data() : nullptr,
+            given_velocity.size() > 0 ? given_velocity.data() : nullptr, supplied_.data(), damped_.data()};
   }
   bool damped_by_stiffness_ = false;
   Array<Real> damping_force_;
   Array<double> supplied_, damped_;
 
  public:
+  Array<Real> given_velocity;        ///< [3 * nodes] m/s of held components; empty: at rest
   Array<double> spring_dissipation;  ///< [contacts] J
 };
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 #include "backend/backend.hpp"
@@ -11,6 +12,7 @@
 #include "backend/heat_lane.hpp"
 #include "backend/motion_lane.hpp"
 #include "backend/node_set.hpp"
+#include "backend/parted_field.hpp"
 #include "backend/summed_array.hpp"
 #include "kernels/block_force.hpp"
 #include "kernels/element_types.hpp"
@@ -226,6 +228,11 @@ class Phases final : public Backend {
                                                                     motion_.spring_dissipation.data()});
       case Phase::damping_force: return damping_force(controls.stiffness_damping);
       case Phase::step_motion: return motion_.step(exec_, body_, controls);
+      case Phase::combine_parts:
+        return visit_field(*this, controls.combined, [&](auto& array) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(array)>, Array<Real>>)
+            parts_[controls.combined].combine(exec_, controls.factors, array.data());
+        });
       case Phase::count: break;
     }
     throw std::logic_error("not a phase");
@@ -274,6 +281,12 @@ class Phases final : public Backend {
   HeatMeasure heat_sums() override { return heat_.sums(exec_); }
   MotionMeasure motion_sums(double step_before) override { return motion_.sums(exec_, body_, step_before); }
   void write_films(const FilmMatrix& films) override { heat_.write_films(films); }
+  void write_parts(Field field, const std::vector<std::vector<double>>& parts) override {
+    parts_[field].write(parts);
+    const std::size_t size = parts.empty() ? 0 : parts[0].size();
+    if (field == Field::given_velocity) motion_.given_velocity.resize(size);
+    if (field == Field::given_temperature) heat_.give_temperature(size);
+  }
 
   std::size_t size(Field field) const override {
     return visit_field(*this, field, [](const auto& array) { return array.size(); });
@@ -452,6 +465,8 @@ class Phases final : public Backend {
       case Field::heat: return visit(self.heat_.heat);
       case Field::inverse_capacity: return visit(self.heat_.inverse_capacity);
       case Field::held: return visit(self.heat_.held);
+      case Field::given_velocity: return visit(self.motion_.given_velocity);
+      case Field::given_temperature: return visit(self.heat_.given_temperature);
       case Field::heat_flow: return visit(self.heat_.flow);
       case Field::heat_bound: return visit(self.heat_.bound);
     }
@@ -486,6 +501,7 @@ class Phases final : public Backend {
   Array<Real> no_slip_;
   HeatLane<Exec, Real> heat_;
   MotionLane<Exec, Real> motion_;
+  std::map<Field, PartedField<Exec, Real>> parts_;
   SummedArray<Exec, Real> u_, u_before_;
   Array<Real> x_, v_, load_, force_, kept_force_, inverse_mass_, stiffness_, corner_force_, partial_,
       warming_, stress_, history_;

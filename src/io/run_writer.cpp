@@ -75,6 +75,13 @@ Json described(const Model& model, const Blocks& blocks, const ContactPoints& co
                                   {"law", interface.law},
                                   {"values", described(interface.values)}});
   for (const auto& stage : model.stages) json["stages"].push_back(stage.name);
+  for (const auto& condition : model.conditions)
+    for (const auto& number : condition.in_time)
+      json["in_time"].push_back({{"noun", condition.noun},
+                                 {"name", condition.name},
+                                 {"key", number.key},
+                                 {"time", number.table.time},
+                                 {"value", number.table.value}});
   return json;
 }
 

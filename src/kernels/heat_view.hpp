@@ -14,6 +14,7 @@ struct HeatView {
   const Real* heat = nullptr;              ///< [nodes] W into the body: flux, and film times ambient
   const Real* inverse_capacity = nullptr;  ///< [nodes] K/J
   const std::uint8_t* held = nullptr;      ///< [nodes] 1: temperature is given
+  const Real* given_temperature = nullptr;  ///< [nodes] degC that held nodes take next; null: they keep theirs
   Real* flow = nullptr;                    ///< [nodes] W leaving the node by conduction and film
   Real* corner = nullptr;                  ///< [2 * slots] values at element corners
   Real* partial = nullptr;                 ///< [2 * entries] sums of one patch, for nodes on patch boundaries

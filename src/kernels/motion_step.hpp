@@ -32,8 +32,11 @@ struct StepMotion {
     const double viscous = 0.5 * double(step.mass_damping) / double(inverse_mass);
     double supplied = 0, damped = 0;
     for (int c = 0; c < 3; ++c) {
-      if ((unsigned(body.fixed[node]) >> c) & 1u) continue;
       const int i = 3 * node + c;
+      if ((unsigned(body.fixed[node]) >> c) & 1u) {
+        if (motion.given_velocity) move_held(i, inverse_mass, supplied, damped);
+        continue;
+      }
       const Real v = body.v[i];
       const Real resisting = resistance(i, v);
       const Real moved = fma(keep, v, gain * (inverse_mass * (body.load[i] - body.force[i] - resisting)));
@@ -51,6 +54,19 @@ struct StepMotion {
   }
 
  private:
+  /// A held component goes as given; what holds it supplies the work of all forces there and of the mass.
+  ASHLAR_HD void move_held(int i, Real inverse_mass, double& supplied, double& damped) const {
+    const double v = body.v[i], moved = motion.given_velocity[i];
+    const double resisting = motion.damping_force ? double(motion.damping_force[i]) : 0.0;
+    const double push = (moved - v) / (double(step.velocity_step) * double(inverse_mass));
+    const double way = 0.5 * (double(step.displacement_step) * moved + step.step_before * v);
+    body.v[i] = motion.given_velocity[i];
+    SummedValue<Real> u = body.u[i];
+    u.add_product(step.displacement_step, motion.given_velocity[i]);
+    body.u.write(i, u);
+    supplied += way * (double(body.force[i]) + resisting + push);
+    damped += way * resisting;
+  }
   /// Force against the motion: stiffness-proportional and local damping.
   ASHLAR_HD Real resistance(int i, Real v) const {
     const Real viscous = motion.damping_force ? motion.damping_force[i] : Real(0);

@@ -3,6 +3,7 @@
 
 #include "base/nearest_name.hpp"
 #include "model/conditions.hpp"
+#include "model/in_time.hpp"
 #include "model/loads.hpp"
 #include "model/locate.hpp"
 #include "model/loose_bodies.hpp"
@@ -43,6 +44,7 @@ class ModelCheck {
     // What follows needs every name to be right.
     idle_conditions();
     functions();
+    levels_in_motion();
     supports();
     complaints_.raise();
   }
@@ -239,6 +241,21 @@ class ModelCheck {
     if (std::holds_alternative<InitialTemperature>(c.kind) || std::holds_alternative<TemperatureField>(c.kind))
       return true;
     return thermal_boundary(c) != is_mechanical(stage);
+  }
+
+  /// A moving water table changes which faces are wet: no load that scales with a number.
+  void levels_in_motion() {
+    const std::vector<StageTimes> times = stage_times(model_);
+    for (std::size_t s = 0; s < model_.stages.size(); ++s) {
+      if (!std::holds_alternative<DynamicSolve>(model_.stages[s].solve)) continue;
+      for (const ActingCondition& a : acting_conditions(model_, static_cast<int>(s)))
+        for (const InTime& number : a.condition->in_time)
+          if (number.key.ends_with("level") && changes(number.table, times[s]))
+            complaints_.add(a.condition->where,
+                            title(a.condition->noun, a.condition->name) + ": '" + number.key +
+                                "' changes during the dynamic stage '" + model_.stages[s].name +
+                                "'; a level stays in motion: use static stages, or a pressure in time");
+    }
   }
 
   /// Asks every function of position once: most mistakes show at the first point.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/in_time.hpp"
+
 namespace ashlar {
 
 namespace {
@@ -66,6 +68,21 @@ std::vector<ActingCondition> acting_conditions(const Model& model, int stage) {
   std::vector<ActingCondition> acting;
   for (Entry& entry : entries) acting.push_back(std::move(entry.acting));
   return acting;
+}
+
+std::vector<ActingCondition> acting_conditions(const Model& model, int stage,
+                                               const std::function<double(const InTime&)>& choose) {
+  std::vector<ActingCondition> acting = acting_conditions(model, stage);
+  for (ActingCondition& a : acting) {
+    if (a.condition->in_time.empty()) continue;
+    a.held = std::make_shared<const Condition>(with_numbers(*a.condition, choose));
+    a.condition = a.held.get();
+  }
+  return acting;
+}
+
+std::vector<ActingCondition> acting_conditions(const Model& model, int stage, double time) {
+  return acting_conditions(model, stage, [&](const InTime& number) { return number.table.at(time); });
 }
 
 std::vector<const Material*> materials_by_region(const Model& model) {

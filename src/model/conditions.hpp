@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "model/model.hpp"
@@ -11,6 +13,7 @@ struct ActingCondition {
   const Condition* condition = nullptr;
   std::vector<const Surface*> surfaces;  ///< in the deck's order; empty for nouns without surfaces
   std::vector<int> regions{};            ///< where a heat source acts, ascending; empty for other nouns
+  std::shared_ptr<const Condition> held{};  ///< what `condition` points to where its numbers are those of a moment
 };
 
 /// Conditions that act in stage `stage` (0-based), oldest first. Those declared outside `apply` are older than the
@@ -19,6 +22,11 @@ struct ActingCondition {
 /// conditions given together add up. `remove` acts before `apply` of the same stage. Throws DeckError for a surface or
 /// region that does not exist.
 std::vector<ActingCondition> acting_conditions(const Model& model, int stage);
+/// The same with numbers in time as `choose` says.
+std::vector<ActingCondition> acting_conditions(const Model& model, int stage,
+                                               const std::function<double(const InTime&)>& choose);
+/// The same at `time`, s since the start of the run.
+std::vector<ActingCondition> acting_conditions(const Model& model, int stage, double time);
 
 /// Material of every mesh region. Throws DeckError naming regions without one.
 std::vector<const Material*> materials_by_region(const Model& model);

@@ -136,6 +136,19 @@ struct HeatSource { Value value; std::vector<std::string> regions; };  ///< W/m^
 struct InitialTemperature { Value value; std::vector<std::string> regions; };  ///< at the first stage where it acts
 struct TemperatureField { Value value; };                           ///< prescribed everywhere in a stage: degC
 
+/// Values at ascending times, straight lines between, constant beyond the ends.
+struct TimeTable {
+  std::vector<double> time, value;            ///< s, at least one
+  double at(double t) const;
+};
+/// A number of a condition that follows time (in_time.hpp).
+struct InTime {
+  std::string key;                            ///< of the deck, such as "ambient"
+  TimeTable table;
+  bool from_stage = false;                    ///< time counts from the stage where the condition first acts, not the run's start
+  std::function<double(double)> function;     ///< of time, until it has been sampled into the table
+};
+
 struct Condition {
   using Kind = std::variant<Fix, Displacement, Gravity, WaterPressure, Traction, Pressure, Uplift, PointLoad,
                             FixedTemperature, Convection, Flux, HeatSource, InitialTemperature, TemperatureField>;
@@ -145,6 +158,7 @@ struct Condition {
   std::vector<std::string> surfaces;          ///< empty where the noun takes none
   Kind kind;
   bool everywhere = true;                     ///< declared outside `apply`: acts in every stage
+  std::vector<InTime> in_time;                ///< numbers of `kind` that are those of the run's start until with_numbers
 };
 
 // ---------------------------------------------------------------- stages

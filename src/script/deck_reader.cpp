@@ -7,6 +7,7 @@
 
 #include "base/nearest_name.hpp"
 #include "io/mesh_file.hpp"
+#include "model/in_time.hpp"
 
 namespace ashlar {
 namespace {
@@ -261,48 +262,87 @@ void DeckReader::push_setting(const std::string& name, const std::string& text, 
         {}, given + ": expected " + (type == LUA_TBOOLEAN ? "true or false" : "a number or a quantity such as 2*m"));
 }
 
-/// deck.read_table "air.csv": columns by the names of the first line, { time = {...}, air = {...} }.
+/// deck.read_table("air.csv", { time = days }): columns by the names of the first line, { time = {...}, air = {...} };
+/// time, value, value_2, ... where that holds numbers. Columns with a unit become quantities.
 int DeckReader::table_read(lua_State* L) {
   DeckReader& reader = of(L);
   const std::string path = reader.deck_.sandbox->data_file(luaL_checkstring(L, 1));
+  lua_settop(L, 2);
+  if (!lua_isnil(L, 2) && !lua_istable(L, 2))
+    throw ScriptError(
+        "deck.read_table takes units as a table by column: deck.read_table(\"air.csv\", { time = days })");
   reader.deck_.files.push_back(path);
   std::ifstream file(path);
   std::vector<std::string> names;
+  std::vector<Quantity> units;
   lua_newtable(L);
+  const int table = lua_gettop(L);
+  const auto add_column = [&](const std::string& name) {
+    names.push_back(name);
+    Quantity unit{1, {}, false};
+    if (lua_istable(L, 2)) {
+      push(L, name);
+      lua_rawget(L, 2);
+      if (const auto given = to_quantity(L, -1))
+        unit = *given;
+      else if (!lua_isnil(L, -1))
+        throw ScriptError("deck.read_table: the unit of column '" + name + "' is no unit; write " + name + " = days");
+      lua_pop(L, 1);
+    }
+    units.push_back(unit);
+    lua_newtable(L);
+    lua_setfield(L, table, name.c_str());
+  };
+  const auto number = [](const std::string& cell) {
+    char* end = nullptr;
+    const double value = std::strtod(cell.c_str(), &end);
+    return cell.empty() || *end || !std::isfinite(value) ? std::nullopt : std::optional(value);
+  };
   int line_number = 0, row = 0;
   for (std::string line; std::getline(file, line);) {
     ++line_number;
     if (line.empty() || line[0] == '#' || line == "\r") continue;
-    std::istringstream cells(line);
-    std::size_t column = 0;
-    if (!names.empty()) ++row;
-    for (std::string cell; std::getline(cells, cell, ','); ++column) {
+    const Where where{path, line_number};
+    std::vector<std::string> cells;
+    std::istringstream split(line);
+    for (std::string cell; std::getline(split, cell, ',');) {
       cell.erase(0, cell.find_first_not_of(" \t\r\""));
       cell.erase(cell.find_last_not_of(" \t\r\"") + 1);
-      const Where where{path, line_number};
-      if (row == 0) {
-        names.push_back(cell);
-        lua_newtable(L);
-        lua_setfield(L, -2, cell.c_str());
-        continue;
-      }
-      if (column >= names.size())
-        throw DeckError(where, "more values than the " + std::to_string(names.size()) + " columns of the first line");
-      char* end = nullptr;
-      const double value = std::strtod(cell.c_str(), &end);
-      if (cell.empty() || *end || !std::isfinite(value))
-        throw DeckError(where, "column '" + names[column] + "': '" + cell + "' is not a number");
-      lua_getfield(L, -1, names[column].c_str());
-      lua_pushnumber(L, value);
+      cells.push_back(cell);
+    }
+    if (names.empty()) {
+      const bool unnamed = number(cells[0]).has_value();
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        add_column(!unnamed ? cells[i] : i == 0 ? "time" : i == 1 ? "value" : "value_" + std::to_string(i));
+      if (!unnamed) continue;
+    }
+    if (cells.size() != names.size())
+      throw DeckError(where, std::string(cells.size() > names.size() ? "more" : "fewer") + " values than the " +
+                                 std::to_string(names.size()) + " columns of the first line");
+    ++row;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto value = number(cells[i]);
+      if (!value) throw DeckError(where, "column '" + names[i] + "': '" + cells[i] + "' is not a number");
+      lua_getfield(L, table, names[i].c_str());
+      if (units[i].dimension)
+        push_quantity(L, {*value * units[i].value, units[i].dimension, units[i].celsius});
+      else
+        lua_pushnumber(L, *value * units[i].value);
       lua_rawseti(L, -2, row);
       lua_pop(L, 1);
     }
-    if (row > 0 && column < names.size())
-      throw DeckError({path, line_number},
-                      "fewer values than the " + std::to_string(names.size()) + " columns of the first line");
   }
   if (row == 0)
-    throw DeckError({path, 1}, "no rows; expected a line of column names and rows of numbers, separated by commas");
+    throw DeckError({path, 1}, "no rows; expected rows of numbers, separated by commas, below a line of column names");
+  if (lua_istable(L, 2)) {
+    lua_pushnil(L);
+    while (lua_next(L, 2)) {
+      lua_pop(L, 1);
+      const std::string name = lua_type(L, -1) == LUA_TSTRING ? text_at(L, -1) : "";
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        throw ScriptError("deck.read_table: there is no column '" + name + "'" + suggest_name(name, names));
+    }
+  }
   return 1;
 }
 
@@ -404,6 +444,7 @@ Deck read_deck(const std::string& path, const std::map<std::string, std::string>
   try {
     deck.sandbox->run_deck();
     reader.finish();
+    if (deck.sandbox->complaints.empty()) settle_times(deck.model);
   } catch (const DeckError& error) {
     for (const auto& line : error.lines()) deck.sandbox->complaints.add({}, line);
   }

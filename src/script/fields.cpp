@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/nearest_name.hpp"
+#include "script/in_time.hpp"
 
 namespace ashlar {
 namespace {
@@ -16,6 +17,7 @@ std::string describe(lua_State* L, int index) {
   if (lua_type(L, index) == LUA_TSTRING) return "\"" + text_at(L, index) + "\"";
   if (lua_type(L, index) == LUA_TBOOLEAN) return lua_toboolean(L, index) ? "true" : "false";
   if (luaL_testudata(L, index, handle_type)) return "a condition or solve";
+  if (is_in_time(L, index)) return "values in time";
   return std::string("a ") + luaL_typename(L, index);
 }
 
@@ -30,7 +32,7 @@ std::string range_text(const KeyRule& rule) {
   return "at most " + with_unit(rule.range.high);
 }
 
-std::string expected(const KeyRule& rule) {
+std::string expected_at_once(const KeyRule& rule) {
   switch (rule.type) {
     case KeyType::number:
       return rule.any_dimension              ? "a number"
@@ -57,6 +59,11 @@ std::string expected(const KeyRule& rule) {
     case KeyType::function: return "a function(result)";
   }
   return "";
+}
+
+std::string expected(const KeyRule& rule) {
+  return expected_at_once(rule) +
+         (rule.in_time ? ", or values in time: { {0*days, ...}, {30*days, ...} } or in_time(function(t) ... end)" : "");
 }
 
 }  // namespace
@@ -89,6 +96,12 @@ std::vector<std::string> Fields::texts(const std::string& key) const {
 }
 std::optional<Value> Fields::maybe_value(const std::string& key) const {
   return has(key) ? std::optional(value(key)) : std::nullopt;
+}
+std::vector<InTime> Fields::in_time() const {
+  std::vector<InTime> all;
+  for (const auto& [key, field] : values_)
+    if (field.in_time) all.push_back(*field.in_time);
+  return all;
 }
 Where Fields::at(const std::string& key) const { return has(key) ? values_.at(key).where : where; }
 
@@ -357,10 +370,87 @@ class FieldReader {
     return value;
   }
 
+  /// Rows { time, value }, or two lists, or a function, as in_time(...) or as a bare table of rows.
+  void read_in_time(const KeyRule& rule, int index) {
+    auto& field = fields_.values_[rule.name];
+    InTime number;
+    number.key = rule.name;
+    const auto refuse = [&](const std::string& message) { complain(rule.name, "'" + rule.name + "' " + message); };
+    KeyRule time, value = rule;
+    time.dimension = dimension::time;
+    value.type = KeyType::number;
+    value.in_time = false;
+    if (is_in_time(L_, index)) {
+      number.from_stage = counts_from_stage(L_, index);
+      lua_getiuservalue(L_, index, 1);
+    } else {
+      lua_pushvalue(L_, index);
+    }
+    const int given = lua_gettop(L_);
+    if (lua_type(L_, given) == LUA_TFUNCTION) {
+      number.function = function_of_time(value, given);
+    } else {
+      std::string complaint;
+      const auto rows = rows_in_time(L_, given, complaint);
+      if (!complaint.empty()) refuse(complaint);
+      for (std::size_t i = 0; complaint.empty() && i < rows.size(); ++i) {
+        const std::string row = "row " + std::to_string(i + 1) + ": the ";
+        if (const auto found = number_complaint(time, rows[i][0]); !found.empty()) complaint = row + "time " + found;
+        if (const auto found = number_complaint(value, rows[i][1]); !found.empty()) complaint = row + "value " + found;
+        if (i > 0 && !(rows[i][0].value > rows[i - 1][0].value))
+          complaint = row + "time " + quantity_text(rows[i][0]) + " does not come after " +
+                      quantity_text(rows[i - 1][0]) + "; times ascend";
+        number.table.time.push_back(rows[i][0].value);
+        number.table.value.push_back(rows[i][1].value);
+        if (!complaint.empty()) refuse("is a table in time, " + complaint);
+      }
+    }
+    lua_settop(L_, given - 1);
+    field.quantities = {{0, rule.dimension, false}};
+    field.in_time = number;
+  }
+
+  std::function<double(double)> function_of_time(const KeyRule& rule, int index) {
+    lua_pushvalue(L_, index);
+    const int reference = luaL_ref(L_, LUA_REGISTRYINDEX);
+    const std::string what = title(noun_.name, name_) + ": '" + rule.name + "'";
+    return [sandbox = sandbox_.shared_from_this(), reference, rule, what, where = fields_.at(rule.name)](double t) {
+      lua_State* L = sandbox->state();
+      lua_rawgeti(L, LUA_REGISTRYINDEX, reference);
+      lua_pushnumber(L, t);
+      sandbox->call(1, 1, sandbox->limits.instructions / 10, where.prefix() + what);
+      const auto q = to_quantity(L, -1);
+      const std::string found =
+          q ? number_complaint(rule, *q)
+            : "is " + describe(L, lua_gettop(L)) + "; expected " + dimension_advice(rule.dimension);
+      lua_pop(L, 1);
+      if (!found.empty())
+        throw DeckError(where, what + " at t = " + decimal_text(t) + " s " + found +
+                                   (q && q->dimension ? "; t is a plain number of seconds (t*s is a time)" : ""));
+      return q->value;
+    };
+  }
+
+  /// "t" where a plain function looks like one of time.
+  std::string time_parameter(int index) {
+    lua_pushvalue(L_, index);
+    const char* first = lua_getlocal(L_, nullptr, 1);
+    const std::string name = first ? first : "";
+    lua_pop(L_, 1);
+    return name == "t" || name == "time" ? name : "";
+  }
+
   void present(const KeyRule& rule, int index) {
     auto& field = fields_.values_[rule.name];
     field.where = sandbox_.where(noun_.name, name_, rule.name);
     const int type = lua_type(L_, index);
+    if (rule.in_time && (is_in_time(L_, index) || (type == LUA_TTABLE && rule.type != KeyType::vector)))
+      return read_in_time(rule, index);
+    if (rule.in_time && type == LUA_TFUNCTION)
+      if (const std::string t = time_parameter(index); !t.empty())
+        return complain(rule.name, "'" + rule.name + "' is a function of " + t +
+                                       "; one of time is written in_time(function(" + t + ") ... end)" +
+                                       (rule.type == KeyType::field ? ", one of position function(x, y, z)" : ""));
     switch (rule.type) {
       case KeyType::number: read_number(rule, index, rule.name, field.quantities); break;
       case KeyType::integer: read_whole(rule, index, rule.name, field.quantities); break;

@@ -43,6 +43,8 @@ class Fields {
   const Value& value(const std::string& key) const { return values_.at(key).value; }
   std::optional<Value> maybe_value(const std::string& key) const;
   const std::vector<int>& handles(const std::string& key) const { return values_.at(key).handles; }
+  /// Numbers that follow time, by key.
+  std::vector<InTime> in_time() const;
   DeckFunction function(const std::string& key) const { return values_.at(key).function; }
   Where where;                             ///< of the call
   Where at(const std::string& key) const;  ///< of the key
@@ -56,6 +58,7 @@ class Fields {
     std::vector<std::string> texts;
     std::map<std::string, std::string> renames;
     Value value;
+    std::optional<InTime> in_time;
     std::vector<int> handles;
     DeckFunction function;
     Where where;

@@ -71,6 +71,7 @@ std::string key_line(const KeyRule& k) {
     doc += ": ";
     for (const auto& choice : k.choices) doc += (&choice == &k.choices.front() ? "\"" : ", \"") + choice + "\"";
   }
+  if (k.in_time) doc += "; may change in time";
   if (k.required)
     doc += " (required)";
   else if (!k.fallback_text.empty())
@@ -94,9 +95,19 @@ std::string help_functions() {
   deck.args { size = { default = 4, unit = m, range = {1, 20}, doc = "element size" } }
       declares arguments and returns their values; ashlar run dam.lua --set size=2 changes one.
       Bare numbers are in the argument's unit. Defaults may be texts, true or false too.
-  deck.read_table "air.csv"
-      columns of numbers by the names in the first line: air.time[1], air.temperature[1].
+  deck.read_table "air.csv"     deck.read_table("air.csv", { time = days, temperature = degC })
+      columns of numbers by the names in the first line: air.time[1], air.temperature[1]. Without names they are time,
+      value, value_2, ... Numbers are SI (seconds) or in the units given by column.
       The file lies beside the file that names it, or below.
+  in_time { {0*days, -2*degC}, {180*days, 28*degC} }     in_time(function(t) return 10 + 8*math.sin(t/5e6) end)
+      values that follow time, for every key that "may change in time"; straight lines between rows, constant before
+      the first and after the last. Bare rows do too: ambient = { {0*days, 5*degC}, {30*days, 9*degC} }. So does a table
+      read from a file with one column beside time; of more columns: in_time(air.time, air.temperature).
+      Time is that of the run, in seconds: the durations of thermal and dynamic stages one after the other. Other stages
+      take no time: they see the values of the time reached. A function of t is sampled when the deck has been read;
+      a function of position is written function(x, y, z).
+  in_stage { ... }   in_stage(function(t) ... end)
+      the same, with time counted from the beginning of the stage where the condition first acts, as for a shaken base.
   interpolate(places, values, x)
       value at x of the polyline through the points; places ascend; constant beyond the ends.
   pairs(t)

@@ -174,7 +174,7 @@ Condition::Kind condition_kind(const Call& c) {
   }
   if (noun == "gravity") {
     const Gravity gravity{{f.number("x"), f.number("y"), f.number("z")}};
-    if (norm(gravity.acceleration) == 0) c.complain("", "has no acceleration; give z = -9.81");
+    if (norm(gravity.acceleration) == 0 && f.in_time().empty()) c.complain("", "has no acceleration; give z = -9.81");
     return gravity;
   }
   if (noun == "water_pressure") return WaterPressure{f.number("level"), f.number("density"), f.number("gravity")};
@@ -183,7 +183,7 @@ Condition::Kind condition_kind(const Call& c) {
   if (noun == "uplift") return uplift(c);
   if (noun == "point_load") {
     const PointLoad load{f.vector("at"), {f.number("x"), f.number("y"), f.number("z")}};
-    if (norm(load.force) == 0) c.complain("", "has no force; give x, y or z");
+    if (norm(load.force) == 0 && f.in_time().empty()) c.complain("", "has no force; give x, y or z");
     return load;
   }
   if (noun == "fixed_temperature") return FixedTemperature{f.value("value"), f.maybe("below"), f.maybe("above")};
@@ -196,7 +196,7 @@ Condition::Kind condition_kind(const Call& c) {
 
 int add_condition(const Call& c) {
   c.model().conditions.push_back(
-      {c.noun.name, c.name, c.fields.where, c.fields.texts("surface"), condition_kind(c), true});
+      {c.noun.name, c.name, c.fields.where, c.fields.texts("surface"), condition_kind(c), true, c.fields.in_time()});
   return static_cast<int>(c.model().conditions.size()) - 1;
 }
 

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "base/nearest_name.hpp"
+#include "script/in_time.hpp"
 #include "script/quantity.hpp"
 
 namespace ashlar {
@@ -161,6 +162,7 @@ int Sandbox::open_libraries(lua_State* L) {
   // `real` holds every name; decks see an empty table in front of it, so that no name is ever overwritten.
   lua_pushglobaltable(L);
   open_units(L);
+  open_in_time(L);
   lua_pushcfunction(L, guarded<require>);
   lua_setfield(L, -2, "require");
   lua_pushcfunction(L, guarded<strict>);

@@ -20,8 +20,9 @@ KeyRule key(const char* name, Type type, const char* doc) {
 KeyRule number(const char* name, Dimension dimension, Range range, const char* doc) {
   return key(name, Type::number, doc).in(dimension, range);
 }
+/// A number, a function of position, or values in time.
 KeyRule field(const char* name, Dimension dimension, const char* doc) {
-  return key(name, Type::field, doc).in(dimension);
+  return key(name, Type::field, doc).in(dimension).changing();
 }
 Keys operator+(Keys a, const Keys& b) {
   a.insert(a.end(), b.begin(), b.end());
@@ -270,15 +271,15 @@ const std::vector<NounRule>& nouns() {
        .naming = Naming::optional,
        .doc = "Weight of every region.",
        .keys =
-           {number("x", dimension::acceleration, range::any, "acceleration along x").otherwise(0),
-            number("y", dimension::acceleration, range::any, "acceleration along y").otherwise(0),
-            number("z", dimension::acceleration, range::any, "acceleration along z; down is negative").otherwise(0)},
+           {number("x", dimension::acceleration, range::any, "acceleration along x").otherwise(0).changing(),
+            number("y", dimension::acceleration, range::any, "acceleration along y").otherwise(0).changing(),
+            number("z", dimension::acceleration, range::any, "acceleration along z; down is negative").otherwise(0).changing()},
        .example = R"(gravity { z = -9.81 })"},
       {.name = "water_pressure",
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Hydrostatic pressure density * gravity * (level - z) on the part of a surface below the level.",
-       .keys = {surface_key(), number("level", dimension::length, range::any, "height z of the water table").need(),
+       .keys = {surface_key(), number("level", dimension::length, range::any, "height z of the water table").need().changing(),
                 number("density", dimension::density, range::positive, "of the water").otherwise(1000),
                 number("gravity", dimension::acceleration, range::positive, "strength of gravity").otherwise(9.81)},
        .example = R"(water_pressure "reservoir" { surface = "upstream", level = 55*m })"},
@@ -306,10 +307,11 @@ const std::vector<NounRule>& nouns() {
               "floor if that is higher (USACE EM 1110-2-2200, 3-3 d). For any other shape use `pressure` with a "
               "function. On a base held by `fix` it changes reactions only.",
        .keys = {surface_key(),
-                number("upstream_level", dimension::length, range::any, "height z of the headwater").need(),
+                number("upstream_level", dimension::length, range::any, "height z of the headwater").need().changing(),
                 number("downstream_level", dimension::length, range::any,
                        "height z of the tailwater; of the ground at the toe if there is none")
-                    .need(),
+                    .need()
+                    .changing(),
                 number("drain", dimension::length, range::any, "x of the line of drains"),
                 number("drain_efficiency", dimension::none, Range{0, 1},
                        "share of the head above the base level that the drains take away; EM 1110-2-2200 allows 0.25 "
@@ -328,9 +330,9 @@ const std::vector<NounRule>& nouns() {
        .doc = "A force at a point of the body, shared among the corners of the element there. A later stage's point load "
               "replaces an earlier one at the same place. Stress next to it grows without bound as elements shrink.",
        .keys = {key("at", Type::vector, "the point, in the body or on its surface").in(dimension::length).need(),
-                number("x", dimension::force, range::any, "force along x").otherwise(0),
-                number("y", dimension::force, range::any, "force along y").otherwise(0),
-                number("z", dimension::force, range::any, "force along z").otherwise(0)},
+                number("x", dimension::force, range::any, "force along x").otherwise(0).changing(),
+                number("y", dimension::force, range::any, "force along y").otherwise(0).changing(),
+                number("z", dimension::force, range::any, "force along z").otherwise(0).changing()},
        .example = R"(point_load "crane" { at = { 4*m, 6*m, 60*m }, z = -200*kN })"},
       {.name = "fixed_temperature",
        .kind = NounKind::condition,
@@ -353,7 +355,7 @@ const std::vector<NounRule>& nouns() {
                     .need(),
                 number("film", dimension::film, range::positive, "film coefficient").need()} +
            height_keys("faces with their centre"),
-       .example = R"(convection "air" { surface = "downstream", ambient = 28.2*degC, film = 15*W/(m^2*K) })"},
+       .example = R"(convection "air" { surface = "downstream", ambient = in_time { {0*days, -2*degC}, {180*days, 28*degC} }, film = 15*W/(m^2*K) })"},
       {.name = "flux",
        .kind = NounKind::condition,
        .naming = Naming::optional,
@@ -374,7 +376,8 @@ const std::vector<NounRule>& nouns() {
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Temperature before the first stage where it acts; the reference temperature unless given.",
-       .keys = {field("value", dimension::temperature, "temperature, a number or a function of x, y, z")
+       .keys = {key("value", Type::field, "temperature, a number or a function of x, y, z")
+                    .in(dimension::temperature)
                     .between(celsius)
                     .need(),
                 key("region", Type::names, "regions; the whole model unless given")},

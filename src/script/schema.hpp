@@ -37,6 +37,7 @@ struct KeyRule {
   std::string doc;
   Dimension dimension{};
   Range range{};
+  bool in_time = false;        ///< may follow a table or function of time
   bool any_dimension = false;  ///< judged later, by what it is compared with
   bool required = false;
   std::optional<double> fallback;  ///< numbers, integers, flags
@@ -57,6 +58,9 @@ struct KeyRule {
   }
   KeyRule otherwise_text(const char* value) const {
     return with([&](KeyRule& k) { k.fallback_text = value; });
+  }
+  KeyRule changing() const {
+    return with([](KeyRule& k) { k.in_time = true; });
   }
   KeyRule of(std::vector<std::string> values) const {
     return with([&](KeyRule& k) { k.choices = std::move(values); });

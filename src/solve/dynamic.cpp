@@ -7,6 +7,8 @@
 #include "model/loads.hpp"
 #include "solve/crack_events.hpp"
 #include "solve/relaxation.hpp"
+#include "solve/stage_conditions.hpp"
+#include "solve/time_parts.hpp"
 
 namespace ashlar {
 
@@ -16,6 +18,7 @@ constexpr double safety = 0.9;             // of the stable step, unless the dec
 constexpr long look_interval = 10;         // steps between two looks at the energies
 constexpr double runaway_energy = 1000;    // kinetic energy over all that the loads could have given
 constexpr double records_per_stage = 100;  // unless the deck gives an interval
+constexpr double steps_of_period = 50;     // of what changes in time
 
 /// Integral of N rho dV at every block node, kg, the machine's numbering.
 std::vector<double> lumped_mass(const Problem& problem) {
@@ -25,6 +28,58 @@ std::vector<double> lumped_mass(const Problem& problem) {
   for (std::size_t n = 0; n < mass.size(); ++n) mass[n] = weight[3 * n];
   return problem.to_machine(mass, 1);
 }
+
+/// Loads and given displacements as time goes on.
+class GivenInTime {
+ public:
+  GivenInTime(const Problem& problem, int stage)
+      : backend_(*problem.backend),
+        load_(problem.model, stage,
+              [&](const auto& acting) { return problem.to_machine(mechanical_conditions(problem, acting).load, 3); }),
+        place_(problem.model, stage,
+               [&](const auto& acting) {
+                 const MechanicalConditions c = mechanical_conditions(problem, acting);
+                 std::vector<double> u(c.load.size(), 0.0);
+                 for (std::size_t i = 0; i < c.prescribed.size(); ++i) u[c.prescribed[i]] = c.displacement[i];
+                 return problem.to_machine(u, 3);
+               }),
+        times_(stage_times(problem.model)[stage]) {
+    backend_.write_parts(Field::load, load_.parts());
+    std::vector<std::vector<double>> velocity = place_.parts();
+    if (!velocity.empty()) velocity[0].assign(velocity[0].size(), 0.0);  // what stays does not move
+    backend_.write_parts(Field::given_velocity, velocity);
+  }
+  ~GivenInTime() {
+    backend_.write_parts(Field::load, {});
+    backend_.write_parts(Field::given_velocity, {});
+  }
+
+  /// Loads at `time`, s since the stage began.
+  void load_at(double time) const {
+    if (load_.changing()) combine(Field::load, load_.factors(times_.begin + time));
+  }
+  /// Mean velocity of what is moved from one time to another, s since the stage began.
+  void move(double from, double to) const {
+    if (!place_.changing()) return;
+    from = times_.begin + from;
+    to = std::min(times_.begin + to, times_.end);
+    std::vector<double> velocity = place_.factors(to);
+    const std::vector<double> before = place_.factors(from);
+    for (std::size_t k = 0; k < velocity.size(); ++k) velocity[k] = (velocity[k] - before[k]) / (to - from);
+    combine(Field::given_velocity, velocity);
+  }
+
+ private:
+  void combine(Field field, const std::vector<double>& factors) const {
+    Controls controls;
+    controls.combined = field;
+    controls.factors = factors;
+    backend_.run(Phase::combine_parts, controls);
+  }
+  Backend& backend_;
+  TimeParts load_, place_;
+  StageTimes times_;
+};
 
 /// One stage in motion.
 class Motion {
@@ -36,6 +91,7 @@ class Motion {
         solve_(std::get<DynamicSolve>(stage.solve)),
         links_(links),
         result_(result),
+        given_(problem, static_cast<int>(&stage - problem.model.stages.data())),
         mass_(lumped_mass(problem)),
         contacts_(problem),
         cracks_(problem) {}
@@ -50,14 +106,15 @@ class Motion {
       result_.steps = n;
       const double seconds = static_cast<double>(n) * step_;
       result_.seconds = seconds;
+      given_.load_at(seconds);
       const bool end = n == steps_, record = end || seconds >= (records + 1) * interval * (1 - 1e-12);
       if ((record || n == 1 || n % look_interval == 0) && !look(seconds, record)) return;
       if (record) {
         records = std::max(records + 1, static_cast<int>(seconds / interval * (1 + 1e-12)));
-        const std::vector<double> velocity = present_velocity(end);
+        const std::vector<double> velocity = present_velocity(seconds, end);
         if (!end) links_.record(records, seconds, velocity, result_.energy);
       }
-      if (!end) advance(step_, step_);
+      if (!end) advance(seconds, step_, step_);
     }
     result_.converged = true;
     result_.stop_reason = "duration reached";
@@ -88,7 +145,7 @@ class Motion {
     // The potential of the start without its temperature part, the scale that stays when nothing else acts.
     start_energy_ = m.kinetic + std::abs(m.potential - m.rest_work);
     // Central difference: half a step brings the velocity to the middle of the first one.
-    advance(step_ / 2, 0);
+    advance(0, step_ / 2, 0);
   }
 
   /// Internal force of displacement zero (temperature), into the kept force.
@@ -118,7 +175,8 @@ class Motion {
     c.mass_damping = solve_.mass_damping;
     return c;
   }
-  void advance(double velocity_step, double step_before) {
+  void advance(double seconds, double velocity_step, double step_before) {
+    given_.move(seconds, seconds + step_);
     Controls c = step_controls(velocity_step);
     c.time_step = step_;
     c.step_before = step_before;
@@ -126,7 +184,8 @@ class Motion {
   }
 
   /// Velocity at the present displacement: half a step on from the middle of the last one.
-  std::vector<double> present_velocity(bool keep) {
+  std::vector<double> present_velocity(double seconds, bool keep) {
+    given_.move(seconds - step_, seconds + step_);
     const std::vector<double> middle = backend_.read(Field::velocity);
     backend_.run(Phase::step_motion, step_controls(step_ / 2));
     std::vector<double> velocity = backend_.read(Field::velocity);
@@ -216,6 +275,7 @@ class Motion {
   const DynamicSolve& solve_;
   const DynamicLinks& links_;
   StageResult& result_;
+  GivenInTime given_;
   std::vector<double> mass_;   ///< [block nodes] kg
   std::vector<double> state_;  ///< of the contact points at the last look
   ContactReader contacts_;
@@ -265,6 +325,8 @@ MotionSteps motion_steps(const Problem& problem, const Stage& stage) {
     throw DeckError(stage.where, "stage '" + stage.name + "': " + text);
   }
   double longest = (solve.time_factor > 0 ? solve.time_factor : safety) * stable;
+  const int index = static_cast<int>(&stage - problem.model.stages.data());
+  longest = std::min(longest, shortest_period(problem.model, index) / steps_of_period);
   if (solve.time_step > 0) longest = solve.time_step;
   MotionSteps steps;
   steps.count = std::max(1L, static_cast<long>(std::ceil(solve.duration / longest * (1 - 1e-12))));

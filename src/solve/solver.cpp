@@ -16,6 +16,7 @@
 #include "solve/relaxation.hpp"
 #include "solve/stage_conditions.hpp"
 #include "solve/thermal.hpp"
+#include "solve/time_parts.hpp"
 #include "solve/virtual_mass.hpp"
 
 namespace ashlar {
@@ -317,6 +318,8 @@ class Run {
     increment_ = increments_ = 0;
     warm_body();
     set_conditions();
+    const StageTimes times = stage_times(problem_.model)[stage_];
+    const bool changing = conditions_change(problem_.model, stage_);
     DynamicLinks links;
     links.watch = [this](long step, double fraction) {
       relaxed_ = fraction;
@@ -325,6 +328,10 @@ class Run {
     };
     links.record = [&](int number, double seconds, const std::vector<double>& velocity, const EnergyBalance& energy) {
       recorder_.motion(problem_.to_blocks(velocity, 3), energy);
+      if (changing) {
+        const auto acting = acting_conditions(problem_.model, stage_, times.begin + seconds);
+        recorder_.surface_load(mechanical_conditions(problem_, acting).surface_load);
+      }
       record({stage_, stage_ + seconds / how.duration, 1, false, seconds, number});
     };
     links.cracked = [this](const CrackEvent& event) { observer_.crack(stage().name, event); };

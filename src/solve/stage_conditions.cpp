@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "model/in_time.hpp"
 #include "model/loads.hpp"
 
 namespace ashlar {
@@ -39,12 +40,15 @@ void fix(const Problem& p, const Condition& condition, const Fix& f, const Surfa
 }  // namespace
 
 MechanicalConditions mechanical_conditions(const Problem& p, int stage) {
+  return mechanical_conditions(p, acting_conditions(p.model, stage, stage_times(p.model)[stage].begin));
+}
+
+MechanicalConditions mechanical_conditions(const Problem& p, const std::vector<ActingCondition>& acting) {
   const auto nodes = static_cast<std::size_t>(p.blocks.node_count());
   MechanicalConditions out;
   out.load.assign(3 * nodes, 0);
   out.surface_load.assign(3 * nodes, 0);
   out.fixed.assign(nodes, 0);
-  const std::vector<ActingCondition> acting = acting_conditions(p.model, stage);
   add_loads(p.model, p.blocks.corners, acting, out.load);
 
   std::vector<ActingCondition> on_surfaces;

@@ -14,8 +14,10 @@ struct MechanicalConditions {
   std::vector<double> displacement;  ///< m, parallel to prescribed
 };
 
-/// Conditions of stage `stage` (0-based). A fix or displacement on a surface acts on the nodes of the elements that own
-/// its facets. Throws DeckError: a `fix` with normal on a surface that is not perpendicular to an axis.
+/// Of the given conditions, or of stage `stage` (0-based) at its beginning. A fix or displacement on a surface acts on
+/// the nodes of the elements that own its facets. Throws DeckError: a `fix` with normal on a surface that is not
+/// perpendicular to an axis.
+MechanicalConditions mechanical_conditions(const Problem& problem, const std::vector<ActingCondition>& acting);
 MechanicalConditions mechanical_conditions(const Problem& problem, int stage);
 
 }  // namespace ashlar

@@ -5,12 +5,14 @@
 #include <limits>
 
 #include "model/loads.hpp"
+#include "solve/time_parts.hpp"
 
 namespace ashlar {
 
 namespace {
 
-constexpr double least_steps = 200;  // of a transient stage
+constexpr double least_steps = 200;     // of a transient stage
+constexpr double steps_of_period = 50;  // of what changes in time
 
 std::vector<double> to_machine(const Problem& problem, const std::vector<double>& mesh_order) {
   const std::vector<int>& new_node = problem.discretisation.heat.new_node;
@@ -125,24 +127,68 @@ double largest_step(Backend& backend, const std::vector<double>& held, const std
   return step;
 }
 
-/// Steps of a transient, and the capacity that they need.
-ThermalSteps set_up_march(Problem& problem, const ThermalSolve& solve, const std::vector<double>& held) {
+ThermalBoundary boundary_of(const Problem& problem, const std::vector<ActingCondition>& acting) {
+  const Mesh& mesh = problem.model.mesh;
+  return thermal_boundary(mesh, mesh.corners, mesh.node_count(), acting);
+}
+
+/// What the boundary of a transient stage gives and takes as time goes on.
+struct BoundaryInTime {
+  TimeParts heat, given;
+  double begin;  ///< s, of the stage
+
+  BoundaryInTime(const Problem& problem, int stage)
+      : heat(problem.model, stage,
+             [&](const auto& acting) { return to_machine(problem, boundary_of(problem, acting).heat); }),
+        given(problem.model, stage,
+              [&](const auto& acting) {
+                const ThermalBoundary boundary = boundary_of(problem, acting);
+                std::vector<double> temperature(problem.model.mesh.node_count(), 0.0);
+                for (std::size_t i = 0; i < boundary.fixed_nodes.size(); ++i)
+                  temperature[boundary.fixed_nodes[i]] = boundary.fixed_temperature[i];
+                return to_machine(problem, temperature);
+              }),
+        begin(stage_times(problem.model)[stage].begin) {
+    problem.backend->write_parts(Field::heat, heat.parts());
+    problem.backend->write_parts(Field::given_temperature, given.parts());
+  }
+
+  /// For the step from `time` to `time + step`, s since the stage began.
+  void set(Backend& backend, double time, double step) const {
+    if (heat.changing()) combine(backend, Field::heat, heat.factors(begin + time + step / 2));
+    if (given.changing()) combine(backend, Field::given_temperature, given.factors(begin + time + step));
+  }
+
+ private:
+  static void combine(Backend& backend, Field field, const std::vector<double>& factors) {
+    Controls controls;
+    controls.combined = field;
+    controls.factors = factors;
+    backend.run(Phase::combine_parts, controls);
+  }
+};
+
+/// Steps of a transient, and the capacity that they need. `period`: the shortest of what changes in time, s.
+ThermalSteps set_up_march(Problem& problem, const ThermalSolve& solve, const std::vector<double>& held, double period) {
   Backend& backend = *problem.backend;
   const Mesh& mesh = problem.model.mesh;
   std::vector<double> capacity = to_machine(problem, lumped_capacity(problem.model, mesh.corners, mesh.node_count()));
-  const double longest = std::min(largest_step(backend, held, capacity), solve.duration / least_steps);
+  const double longest =
+      std::min({largest_step(backend, held, capacity), solve.duration / least_steps, period / steps_of_period});
   const long steps = static_cast<long>(std::ceil(solve.duration / longest));
   for (double& c : capacity) c = 1 / c;
   backend.write(Field::inverse_capacity, capacity);
   return {steps, solve.duration / static_cast<double>(steps)};
 }
 
-ThermalResult march(Problem& problem, const ThermalSolve& solve, const ThermalSteps& steps, const ThermalWatch& watch) {
+ThermalResult march(Problem& problem, const ThermalSolve& solve, const ThermalSteps& steps,
+                    const BoundaryInTime& in_time, const ThermalWatch& watch) {
   Backend& backend = *problem.backend;
   ThermalResult result;
   Controls controls;
   controls.time_step = result.time_step = steps.length;
   while (result.steps < steps.count) {
+    in_time.set(backend, static_cast<double>(result.steps) * controls.time_step, controls.time_step);
     backend.run(Phase::heat_flow);
     backend.run(Phase::step_heat, controls);
     ++result.steps;
@@ -173,8 +219,10 @@ void prescribe_temperature(const Model& model, int stage, std::vector<double>& t
         if (a.condition == condition) return true;
     return false;
   };
+  const double time = stage_times(model)[stage].begin;
   for (const ActingCondition& a : acting_conditions(model, stage)) {
-    if (const auto* field = std::get_if<TemperatureField>(&a.condition->kind))
+    const Condition now = with_numbers(*a.condition, [&](const InTime& number) { return number.table.at(time); });
+    if (const auto* field = std::get_if<TemperatureField>(&now.kind))
       for (int n = 0; n < mesh.node_count(); ++n) temperature[n] = field->value(mesh.points[n]);
     const auto* initial = std::get_if<InitialTemperature>(&a.condition->kind);
     if (!initial || acted_before(a.condition)) continue;
@@ -209,19 +257,20 @@ ThermalSteps thermal_steps(Problem& problem, int stage_index) {
   const ThermalSolve& solve = std::get<ThermalSolve>(stage.solve);
   check_materials(model, stage, !solve.steady);
   const ThermalBoundary boundary =
-      thermal_boundary(model.mesh, model.mesh.corners, model.mesh.node_count(), acting_conditions(model, stage_index));
+      boundary_of(problem, acting_conditions(model, stage_index, stage_times(model)[stage_index].begin));
   if (solve.steady && boundary.fixed_nodes.empty() && boundary.films.empty())
     throw DeckError(stage.where, "stage '" + stage.name +
                                      "': a steady temperature needs a fixed_temperature or a convection somewhere; "
                                      "without one every level of temperature is in balance");
   const std::vector<double> held = set_boundary(problem, boundary);
-  return solve.steady ? ThermalSteps{} : set_up_march(problem, solve, held);
+  return solve.steady ? ThermalSteps{} : set_up_march(problem, solve, held, shortest_period(model, stage_index));
 }
 
 ThermalResult solve_thermal(Problem& problem, int stage_index, const ThermalWatch& watch) {
   const auto& solve = std::get<ThermalSolve>(problem.model.stages[stage_index].solve);
   const ThermalSteps steps = thermal_steps(problem, stage_index);
-  return solve.steady ? solve_steady(problem, solve, watch) : march(problem, solve, steps, watch);
+  const BoundaryInTime in_time(problem, stage_index);
+  return solve.steady ? solve_steady(problem, solve, watch) : march(problem, solve, steps, in_time, watch);
 }
 
 }  // namespace ashlar

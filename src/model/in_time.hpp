@@ -1,0 +1,31 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+
+/// Numbers of conditions that follow a table of time. Time is that of the run: the durations of its transient thermal
+/// and its dynamic stages, one after the other; other stages take none.
+namespace ashlar {
+
+struct StageTimes {
+  double begin = 0, end = 0;  ///< s since the start of the run; the same where a stage takes no time
+};
+std::vector<StageTimes> stage_times(const Model& model);
+
+/// Whether the table takes more than one value between two times.
+bool changes(const TimeTable& table, const StageTimes& stage);
+/// Twice the shortest time from one turning point to the next within the stage, s; infinite with fewer than two.
+double shortest_period(const TimeTable& table, const StageTimes& stage);
+
+/// The number of a condition that a deck key gives. Throws std::logic_error if it cannot change in time.
+double& number_of(Condition::Kind& kind, const std::string& key);
+/// The condition with the number of each InTime as `choose` says.
+Condition with_numbers(const Condition& condition, const std::function<double(const InTime&)>& choose);
+
+/// Gives every InTime its table on the time of the run: functions are sampled from the stage where their condition
+/// first acts to the end of the run, and what counts time from that stage is shifted.
+void settle_times(Model& model);
+
+}  // namespace ashlar

@@ -1,0 +1,6 @@
+model "wall" { reference_temperature = 10*degC }
+box "wall" { from = { 0, 0, 0 }, to = { 1, 1, 3 }, size = 0.5 }
+material "concrete" { region = "wall", density = 2400, young = 30*GPa, poisson = 0.2, conductivity = 2.6, heat_capacity = 960 }
+surface "left" { of = "wall", side = "left" }
+convection "air" { surface = "left", film = 15, ambient = in_time(function(t) return t < 86400 and 5*degC or 5*m end) }
+stage "heat" { solve = thermal { duration = 2*days } }
