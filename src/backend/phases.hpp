@@ -45,7 +45,7 @@ class Springs {
     const std::vector<int>& renumber = setup.discretisation.blocks.new_node;
     const int n = c.count();
     std::vector<int> a(n), b(n);
-    std::vector<Real> normal(3 * n), area(n), normal_stiffness(n), shear_stiffness(n);
+    std::vector<Real> normal(3 * n), initial_gap(c.initial_traction.empty() ? 0 : 3 * n), area(n), normal_stiffness(n), shear_stiffness(n);
     std::vector<std::vector<int>> of_node(setup.discretisation.blocks.node_count);
     for (int i = 0; i < n; ++i) {
       a[i] = renumber[c.node_a[i]];
@@ -53,6 +53,7 @@ class Springs {
       of_node[a[i]].push_back(i);
       of_node[b[i]].push_back(-1 - i);
       for (int k = 0; k < 3; ++k) normal[3 * i + k] = Real(c.normal[i][k]);
+      for (int k = 0; k < 3 && !initial_gap.empty(); ++k) initial_gap[3 * i + k] = Real(c.initial_gap(i)[k]);
       area[i] = Real(c.area[i]);
       normal_stiffness[i] = Real(c.normal_stiffness[i]);
       shear_stiffness[i] = Real(c.shear_stiffness[i]);
@@ -69,6 +70,7 @@ class Springs {
     node_a_.assign(a);
     node_b_.assign(b);
     normal_.assign(normal);
+    initial_gap_.assign(initial_gap);
     area_.assign(area);
     normal_stiffness_.assign(normal_stiffness);
     shear_stiffness_.assign(shear_stiffness);
@@ -89,6 +91,7 @@ class Springs {
              .area = area_.data(),
              .normal_stiffness = normal_stiffness_.data(),
              .shear_stiffness = shear_stiffness_.data(),
+             .initial_gap = initial_gap.empty() ? nullptr : initial_gap_.data(),
              .interface = interface_.data(),
              .laws = laws_.data(),
              .state = state.data(),
@@ -104,7 +107,7 @@ class Springs {
   template <class T>
   using Array = typename Exec::template Array<T>;
   Array<int> node_a_, node_b_, interface_, node_, node_first_, node_contact_;
-  Array<Real> normal_, area_, normal_stiffness_, shear_stiffness_, force_;
+  Array<Real> normal_, initial_gap_, area_, normal_stiffness_, shear_stiffness_, force_;
   Array<SpringLaw<Real>> laws_;
   SpringView<Real> view_;
 
@@ -416,6 +419,7 @@ class Phases final : public Backend {
     gather_boundary(view.product);
     SpringView<Real> springs = springs_.view();
     springs.slip = no_slip_.data();
+    springs.initial_gap = nullptr;
     exec_.for_each(contact_count(), SpringForce<Real>{springs, moved.u});
     exec_.for_each(springs.node_count, GatherSpring<Real>{springs, view.product});
   }

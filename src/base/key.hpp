@@ -28,7 +28,7 @@ inline constexpr Dimension acceleration{1, 0, -2, 0};           // m/s^2
 inline constexpr Dimension frequency{0, 0, -1, 0};              // 1/s
 inline constexpr Dimension energy{2, 1, -2, 0};                 // J
 inline constexpr Dimension force{1, 1, -2, 0};                  // N
-inline constexpr Dimension stiffness_per_area{-2, 1, -2, 0};    // Pa/m
+inline constexpr Dimension stiffness_per_area{-2, 1, -2, 0};    // Pa/m; N/m^3
 inline constexpr Dimension fracture_energy{0, 1, -2, 0};        // J/m^2
 inline constexpr Dimension conductivity{1, 1, -3, -1};          // W/(m K)
 inline constexpr Dimension film{0, 1, -3, -1};                  // W/(m^2 K)

@@ -11,6 +11,15 @@
 namespace ashlar {
 namespace {
 
+void describe_initial(Page& page, const InitialBalance& initial) {
+  if (initial.share < InitialBalance::far)
+    return page.line("stage", text("  initial stress: out of balance by %.1e of its forces", initial.share));
+  page.line("stage", text("  WARNING initial stress and loads are out of balance by %.2g %% of their forces, most at ",
+                          100 * initial.share) +
+                         place_text(initial.place) + text(", %.3g N:", initial.largest));
+  page.line("stage", "    is gravity given, are level, unit weight and k0 those of the ground, are its sides held?");
+}
+
 void describe_stage(Page& page, int number, const StageResult& stage) {
   if (stage.kind == "dynamic") {
     page.line("stage", text("%d %s (%s): %s, %s of %.3g s, %s", number, stage.name.c_str(), stage.kind.c_str(),
@@ -20,11 +29,13 @@ void describe_stage(Page& page, int number, const StageResult& stage) {
     page.line("stage", text("  energy: kinetic %.4g + strain %.4g + dissipated %.4g - work %.4g = %.4g J, kept to %.1e",
                             e.kinetic, e.strain, e.dissipated, e.external_work,
                             e.kinetic + e.strain + e.dissipated - e.external_work, e.drift));
+    if (stage.initial) describe_initial(page, *stage.initial);
     return;
   }
   page.line("stage", text("%d %s (%s): %s, %s, ratio %.1e, %s", number, stage.name.c_str(), stage.kind.c_str(),
                           stage.stop_reason.c_str(), counted(stage.steps, "step").c_str(), stage.ratio,
                           duration_text(stage.wall_seconds).c_str()));
+  if (stage.initial) describe_initial(page, *stage.initial);
   if (stage.load_factor < 1) page.line("stage", text("  stopped at load factor %.4f", stage.load_factor));
 }
 

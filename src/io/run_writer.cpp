@@ -117,6 +117,7 @@ Json described(const StageResult& stage) {
                       {"external_work", stage.energy.external_work},
                       {"drift", stage.energy.drift}};
   }
+  if (stage.initial) json["initial_stress_out_of_balance"] = stage.initial->share;
   json["wall_seconds"] = stage.wall_seconds;
   json["phase_seconds"] = Json::object();
   for (const auto& phase : stage.phases) json["phase_seconds"][phase.phase] = phase.seconds;

@@ -13,8 +13,10 @@ struct StepHeat {
 
   ASHLAR_HD void operator()(int node) const {
     if (heat.held[node]) {
-      if (heat.given_temperature) heat.temperature.write(node, SummedValue<Real>{heat.given_temperature[node]});
-      return;
+      if (!heat.given_temperature) return;
+      SummedValue<Real> given{};
+      given.add(heat.given_temperature[node]);
+      return heat.temperature.write(node, given);
     }
     SummedValue<Real> temperature = heat.temperature[node];
     temperature.add_product(time_step * heat.inverse_capacity[node], heat.heat[node] - heat.flow[node]);

@@ -18,6 +18,7 @@ struct SpringView {
   const Real* area = nullptr;              ///< [contacts] m^2
   const Real* normal_stiffness = nullptr;  ///< [contacts] Pa/m
   const Real* shear_stiffness = nullptr;   ///< [contacts] Pa/m
+  const Real* initial_gap = nullptr;       ///< [3 * contacts] m, what the initial stress has stretched; null: nothing
   const int* interface = nullptr;          ///< [contacts], index into laws
   const SpringLaw<Real>* laws = nullptr;
   ContactState* state = nullptr;  ///< [contacts]
@@ -37,10 +38,15 @@ struct SpringView {
     const int a = 3 * node_a[c], b = 3 * node_b[c];
     return {difference(u[b], u[a]), difference(u[b + 1], u[a + 1]), difference(u[b + 2], u[a + 2])};
   }
+  ASHLAR_HD Vec3<Real> stretch(const Summed<Real>& u, int c) const {
+    const Vec3<Real> moved = gap(u, c);
+    if (!initial_gap) return moved;
+    return moved + Vec3<Real>{initial_gap[3 * c], initial_gap[3 * c + 1], initial_gap[3 * c + 2]};
+  }
   /// Traction of contact c at displacement u, and the slip that goes with it.
   ASHLAR_HD SpringAnswer<Real> answer(const Summed<Real>& u, int c) const {
     const auto& law = law_of(c);
-    return spring_traction(law.holds(state[c]), law.tan_friction, stiffness_of(c), split(gap(u, c), normal_of(c)),
+    return spring_traction(law.holds(state[c]), law.tan_friction, stiffness_of(c), split(stretch(u, c), normal_of(c)),
                            slip_of(c));
   }
 };

@@ -39,7 +39,10 @@ struct ContactPoints {
   std::vector<Vec3<double>> normal;              ///< unit, from a to b: mean normal of face a
   std::vector<double> area;                      ///< m^2, integral of N_i over the face; sums to the face area
   std::vector<double> normal_stiffness, shear_stiffness;  ///< Pa/m (numerics 5: f E_oed / h, f G / h, weaker side, unless given)
+  std::vector<Vec3<double>> initial_traction;    ///< Pa on side a, of the initial stress; empty: none
   int count() const { return static_cast<int>(node_a.size()); }
+  /// What the traction of the initial stress stretches a spring by, m; zero without.
+  Vec3<double> initial_gap(int c) const;
 };
 ContactPoints place_contacts(const Model& model, const Blocks& blocks);
 

@@ -4,6 +4,7 @@
 #include "base/nearest_name.hpp"
 #include "model/conditions.hpp"
 #include "model/in_time.hpp"
+#include "model/initial_stress.hpp"
 #include "model/loads.hpp"
 #include "model/locate.hpp"
 #include "model/loose_bodies.hpp"
@@ -38,6 +39,7 @@ class ModelCheck {
     materials();
     interfaces();
     condition_references();
+    collect([&] { InitialStressField{model_}; });
     stages();
     histories_and_pictures();
     complaints_.raise();
@@ -260,6 +262,8 @@ class ModelCheck {
 
   /// Asks every function of position once: most mistakes show at the first point.
   void functions() {
+    for (const auto& s : model_.initial_stresses)
+      for (const auto& component : s.components) collect([&] { component(model_.mesh.points[0]); });
     for (const auto& c : model_.conditions) {
       const Surface* surface = c.surfaces.empty() ? nullptr : model_.mesh.find_surface(c.surfaces[0]);
       const Vec3<double> point = surface ? model_.mesh.facet_centroid(surface->facets[0]) : model_.mesh.points[0];

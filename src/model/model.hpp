@@ -110,6 +110,24 @@ struct Interface {
   std::map<std::string, double> values;
 };
 
+// ---------------------------------------------------------------- initial stress
+
+/// Stress of ground at rest: vertical - unit_weight (level - z), and k0 times that sideways.
+struct InSituStress {
+  double level = 0, vertical = 0;             ///< m; Pa at the level, tension positive
+  std::optional<double> unit_weight;          ///< N/m^3; without: gravity times the density of the region's material
+  double gravity = 9.81;                      ///< m/s^2
+  double k0_x = 0, k0_y = 0;
+};
+/// `initial_stress { region = "rock", level = 40*m, k0 = 0.6 }` or components: stress before any displacement.
+struct InitialStress {
+  std::string name;                           ///< may be empty
+  Where where;
+  std::vector<std::string> regions;           ///< empty: all
+  std::optional<InSituStress> in_situ;
+  std::array<Value, 6> components;            ///< Pa, xx yy zz xy yz zx; without in_situ
+};
+
 // ---------------------------------------------------------------- conditions
 
 struct Fix { bool x = false, y = false, z = false, normal = false; };
@@ -254,6 +272,7 @@ struct Model {
   std::vector<SurfaceChoice> surfaces;
   std::vector<Material> materials;
   std::vector<Interface> interfaces;
+  std::vector<InitialStress> initial_stresses;
   std::vector<Condition> conditions;
   std::vector<Stage> stages;
   std::vector<History> histories;

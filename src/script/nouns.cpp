@@ -138,6 +138,37 @@ int add_interface(const Call& c) {
   return 0;
 }
 
+int add_initial_stress(const Call& c) {
+  const Fields& f = c.fields;
+  InitialStress given{c.name, f.where, f.texts("region"), {}, {}};
+  const char* components[] = {"xx", "yy", "zz", "xy", "yz", "zx"};
+  std::string component;
+  for (int i = 0; i < 6; ++i)
+    if (const auto value = f.maybe_value(components[i])) {
+      given.components[i] = *value;
+      component = components[i];
+    }
+  if (f.has("level")) {
+    if (!component.empty())
+      c.complain(component, "'" + component + "' has no meaning beside 'level'; give level and k0, or components");
+    if (!f.has("k0") && !(f.has("k0_x") && f.has("k0_y")))
+      c.complain("", "missing 'k0': horizontal stress over vertical stress (or k0_x and k0_y)");
+    const double k0 = f.maybe("k0").value_or(0);
+    given.in_situ = InSituStress{f.number("level"),   f.number("vertical"),          f.maybe("unit_weight"),
+                                 f.number("gravity"), f.maybe("k0_x").value_or(k0), f.maybe("k0_y").value_or(k0)};
+  } else {
+    bool told = false;
+    for (const char* key : {"unit_weight", "k0", "k0_x", "k0_y"}) {
+      if (!f.has(key)) continue;
+      told = true;
+      c.complain(key, std::string("'") + key + "' needs 'level' [m], the height z where the stress is 'vertical'");
+    }
+    if (component.empty() && !told) c.complain("", "gives no stress; give level and k0, or components xx, yy, zz, xy, yz, zx");
+  }
+  c.model().initial_stresses.push_back(given);
+  return 0;
+}
+
 Uplift uplift(const Call& c) {
   const Fields& f = c.fields;
   if (f.has("drain") != f.has("drain_efficiency"))
@@ -326,6 +357,7 @@ int add_to_deck(Deck& deck, std::vector<Solve>& solves, const NounRule& noun, co
   if (noun.name == "box") return add_box(call);
   if (noun.name == "surface") return add_surface(call);
   if (noun.name == "joint" || noun.name == "crackable") return add_interface(call);
+  if (noun.name == "initial_stress") return add_initial_stress(call);
   if (noun.name == "stage") return add_stage(call);
   if (noun.name == "history") return add_history(call);
   if (noun.name == "expect") return add_expect(call);

@@ -28,7 +28,7 @@ const Named named[] = {
     {dimension::density, "kg/m^3", "a density, such as 2400*kg/m^3"},
     {dimension::acceleration, "m/s^2", "an acceleration, such as 9.81*m/s^2"},
     {dimension::force, "N", "a force, such as 5*kN"},
-    {dimension::stiffness_per_area, "Pa/m", "a stiffness per area, such as 100*GPa/m"},
+    {dimension::stiffness_per_area, "Pa/m", "a stiffness per area (100*GPa/m) or a unit weight (26*kN/m^3)"},
     {dimension::fracture_energy, "J/m^2", "a fracture energy, such as 400*J/m^2"},
     {dimension::conductivity, "W/(m*K)", "a conductivity, such as 2.6*W/(m*K)"},
     {dimension::film, "W/(m^2*K)", "a film coefficient, such as 15*W/(m^2*K)"},

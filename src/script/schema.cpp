@@ -29,6 +29,10 @@ Keys operator+(Keys a, const Keys& b) {
   return a;
 }
 
+KeyRule stress_key(const char* name) {
+  return key(name, Type::field, (std::string("component ") + name + "; 0 unless given").c_str()).in(dimension::pressure);
+}
+
 /// Above absolute zero; 283 given for 10 degC falls inside, so K is refused where degC is meant.
 constexpr Range celsius{-273.15, 5000};
 
@@ -251,6 +255,27 @@ const std::vector<NounRule>& nouns() {
        .example =
            R"(crackable "body" { region = "dam", law = "brittle", tensile_strength = 2*MPa, cohesion = 3*MPa, friction = 45*deg })",
        .laws = Laws::interface},
+      {.name = "initial_stress",
+       .naming = Naming::optional,
+       .doc = "Stress before any displacement, from the start of the run; tension is positive. Ground at rest: give "
+              "`level` and `k0`, and the vertical stress is vertical - unit_weight * (level - z), k0 times that "
+              "sideways. Or give components, as numbers or functions of x, y, z. With loads that balance it nothing "
+              "moves; the first stage says how far it is from that. Interfaces carry its traction.",
+       .keys = {key("region", Type::names, "regions; the whole model unless given"),
+                number("level", dimension::length, range::any, "height z where the vertical stress is `vertical`"),
+                number("vertical", dimension::pressure, range::any,
+                       "vertical stress at `level`, such as of ground above the model (negative: pressed)")
+                    .otherwise(0),
+                number("unit_weight", dimension::stiffness_per_area, range::not_negative,
+                       "weight per volume of what presses; gravity times the density of the region's material unless "
+                       "given"),
+                number("gravity", dimension::acceleration, range::positive, "strength of gravity").otherwise(9.81),
+                number("k0", dimension::none, range::not_negative, "horizontal stress over vertical stress"),
+                number("k0_x", dimension::none, range::not_negative, "along x, where that differs"),
+                number("k0_y", dimension::none, range::not_negative, "along y, where that differs"),
+                stress_key("xx"), stress_key("yy"), stress_key("zz"), stress_key("xy"), stress_key("yz"),
+                stress_key("zx")},
+       .example = R"(initial_stress { region = "rock", level = 0*m, k0 = 0.6 })"},
       {.name = "fix",
        .kind = NounKind::condition,
        .naming = Naming::optional,

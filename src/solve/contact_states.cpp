@@ -24,8 +24,11 @@ std::vector<ContactPoint> ContactReader::read() const {
     point.state = static_cast<ContactState>(static_cast<int>(state[i]));
     point.bonded = law.holds(point.state);
     point.gap = split(Vec3<double>{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, c.normal[i]);
+    const auto stretch =
+        split(Vec3<double>{b[0] - a[0], b[1] - a[1], b[2] - a[2]} + c.initial_gap(i), c.normal[i]);
+    point.closed = stretch.normal <= 0;
     const auto answer = spring_traction(point.bonded, law.tan_friction,
-                                        SpringStiffness<double>{c.normal_stiffness[i], c.shear_stiffness[i]}, point.gap,
+                                        SpringStiffness<double>{c.normal_stiffness[i], c.shear_stiffness[i]}, stretch,
                                         Vec3<double>{slip[3 * i], slip[3 * i + 1], slip[3 * i + 2]});
     point.traction = answer.traction;
     point.slip = answer.slip;

@@ -14,8 +14,9 @@ struct ContactPoint {
   Vec3<double> slip;       ///< m
   ContactState state = ContactState::intact;
   bool bonded = false;  ///< carries tension
+  bool closed = false;  ///< pressed together, in its initial stress too
   /// Whether the sides hold each other: bonded, or pressed together.
-  bool joined() const { return bonded || gap.normal <= 0; }
+  bool joined() const { return bonded || closed; }
 };
 
 /// Reads contact points in their order.

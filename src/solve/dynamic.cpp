@@ -148,12 +148,18 @@ class Motion {
     advance(0, step_ / 2, 0);
   }
 
-  /// Internal force of displacement zero (temperature), into the kept force.
+  /// Internal force of displacement zero (temperature, initial stress), into the kept force.
   void find_force_at_rest() {
     const std::vector<double> displacement = backend_.read(Field::displacement);
     backend_.write(Field::displacement, std::vector<double>(displacement.size(), 0.0));
     backend_.run(Phase::block_force);
     backend_.run(Phase::gather_force);
+    if (!problem_.contacts.initial_traction.empty()) {
+      const std::vector<double> slip = backend_.read(Field::slip);
+      backend_.write(Field::slip, std::vector<double>(slip.size(), 0.0));
+      backend_.run(Phase::spring_force);
+      backend_.write(Field::slip, slip);
+    }
     backend_.run(Phase::keep_force);
     backend_.write(Field::displacement, displacement);
   }
@@ -234,7 +240,9 @@ class Motion {
       const std::vector<ContactPoint> points = contacts_.read();
       for (int c = 0; c < problem_.contacts.count(); ++c) {
         // force . u took the whole relative displacement of a spring, its slip is no strain.
-        e.strain -= 0.5 * problem_.contacts.area[c] * dot(points[c].traction.shear, points[c].slip);
+        const double area = problem_.contacts.area[c];
+        e.strain -= 0.5 * area * dot(points[c].traction.shear, points[c].slip);
+        if (!problem_.contacts.initial_traction.empty()) e.strain -= 0.5 * area * unfelt(points[c], c);
         e.dissipated += lost[c];
       }
     }
@@ -248,6 +256,13 @@ class Motion {
     e.error = sum - first_sum_;
     if (peak_ > 0) largest_error_ = std::max(largest_error_, std::abs(e.error));
     e.drift = peak_ > 0 ? largest_error_ / peak_ : 0;
+  }
+
+  /// What the force at rest of a spring takes too much, over the area: initial traction times slip or opening.
+  double unfelt(const ContactPoint& point, int c) const {
+    const Split<double> initial = split(problem_.contacts.initial_traction[c], problem_.contacts.normal[c]);
+    if (!point.joined()) return initial.normal * point.gap.normal + dot(initial.shear, point.gap.shear);
+    return dot(initial.shear, point.slip);
   }
 
   void note_cracks(double seconds) {

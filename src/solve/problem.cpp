@@ -22,7 +22,10 @@ Problem::Problem(const Model& m, const RunOptions& options)
       discretisation(
           discretise(m.mesh, blocks, material_indices(m),
                      options.precision == Precision::double_precision ? patch_size_double : patch_size_single)),
-      backend(make_backend(setup(), options.precision, options.device, options.threads)) {}
+      initial(initial_state(m, blocks, setup())),
+      backend(make_backend(setup(), options.precision, options.device, options.threads)) {
+  if (!initial.history.empty()) backend->write(Field::history, initial.history);
+}
 
 Setup Problem::setup() const {
   Setup setup{discretisation, contacts};

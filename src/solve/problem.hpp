@@ -7,6 +7,7 @@
 #include "model/conditions.hpp"
 #include "model/discretisation.hpp"
 #include "model/model.hpp"
+#include "solve/initial_state.hpp"
 
 /// A model made ready to run: blocks split, springs placed, everything in the machine's order.
 namespace ashlar {
@@ -22,6 +23,7 @@ struct Problem {
   Blocks blocks;
   ContactPoints contacts;
   Discretisation discretisation;
+  InitialState initial;
   std::unique_ptr<Backend> backend;
 
   /// `model` has its mesh and outlives the problem. Throws DeckError.

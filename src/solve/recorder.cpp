@@ -152,8 +152,7 @@ void Recorder::add_values(const Probe& probe, std::vector<double>& row) {
           value += probe.location.weights[k] * temperature_[mesh.element(probe.location.element)[k]];
       row.push_back(value);
     } else if (record == "stress") {
-      backend.run(Phase::block_stress);
-      const std::vector<double> stress = element_stress(problem_, backend.read(Field::stress));
+      const std::vector<double> stress = element_stress(problem_, gauss_stress(problem_));
       for (int c = 0; c < 6; ++c) row.push_back(stress[6 * static_cast<std::size_t>(probe.location.element) + c]);
     } else if (record == "plastic_strain") {
       row.push_back(element_plastic_strain(problem_)[probe.location.element]);
@@ -188,7 +187,6 @@ void Recorder::history_rows(const Moment& moment) {
 }
 
 void Recorder::snapshot(const Moment& moment) {
-  Backend& backend = *problem_.backend;
   Snapshot s;
   s.stage = problem_.model.stages[moment.stage].name;
   s.stage_number = moment.stage + 1;
@@ -200,8 +198,7 @@ void Recorder::snapshot(const Moment& moment) {
   if (!temperature_.empty())
     for (const int n : problem_.blocks.mesh_node) s.temperature.push_back(temperature_[n]);
   if (finite(s.displacement)) {
-    backend.run(Phase::block_stress);
-    const std::vector<double> gauss = backend.read(Field::stress);
+    const std::vector<double> gauss = gauss_stress(problem_);
     s.stress = element_stress(problem_, gauss);
     s.nodal_stress = nodal_stress(problem_, gauss);
     s.principal_stress = principal_stress(s.stress);

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,14 @@ struct EnergyBalance {
   double drift = 0;               ///< largest error so far over the peak of kinetic energy, strain energy gained or work
 };
 
+/// How far loads and the initial stress are from balance before anything moves.
+struct InitialBalance {
+  double share = 0;               ///< unbalanced force on free nodes over the larger of loads and internal forces there
+  double largest = 0;             ///< N, of one node
+  Vec3<double> place;             ///< of that node, m
+  static constexpr double far = 0.01;  ///< of share: worth a warning
+};
+
 struct PhaseTime {
   std::string phase;
   double seconds = 0;
@@ -49,6 +58,7 @@ struct StageResult {
   double dissipated_energy = 0;                        ///< J, by sliding and cracking; in dynamic stages also by damping
   double seconds = 0;                                  ///< dynamic stages: time reached, s
   double time_step = 0, stable_step = 0;               ///< s, dynamic stages
+  std::optional<InitialBalance> initial;               ///< of the first mechanical stage of a model with initial stress
   EnergyBalance energy;                                ///< at the end of a dynamic stage
 };
 

@@ -156,6 +156,8 @@ class Run {
         u[conditions.prescribed[i]] = conditions.displacement[i];
       backend.write(Field::displacement, problem_.to_machine(u, 3));
     }
+    if (!problem_.model.initial_stresses.empty() && !balance_told_) outcome_.initial = initial_balance(problem_);
+    balance_told_ = true;
     std::vector<double> surface_load = problem_.to_machine(conditions.surface_load, 3);
     surface_load_ = conditions.surface_load;
     recorder_.surface_load(std::move(conditions.surface_load));
@@ -383,6 +385,7 @@ class Run {
   double plastic_work_ = 0;    ///< J, up to the end of the last stage
   double out_of_balance_ = 0;  ///< N, largest at the start of a relaxation of this stage
   int increment_ = 0, increments_ = 0;
+  bool balance_told_ = false;
   double relaxed_ = 0, cracked_fraction_ = 0;
   Clock::time_point told_{};
 };

@@ -50,6 +50,7 @@ MechanicalConditions mechanical_conditions(const Problem& p, const std::vector<A
   out.surface_load.assign(3 * nodes, 0);
   out.fixed.assign(nodes, 0);
   add_loads(p.model, p.blocks.corners, acting, out.load);
+  for (std::size_t i = 0; i < p.initial.force.size(); ++i) out.load[i] -= p.initial.force[i];
 
   std::vector<ActingCondition> on_surfaces;
   std::map<int, double> prescribed;

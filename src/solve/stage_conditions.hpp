@@ -7,7 +7,7 @@
 namespace ashlar {
 
 struct MechanicalConditions {
-  std::vector<double> load;          ///< [3 * block nodes] N, all of it
+  std::vector<double> load;          ///< [3 * block nodes] N, all of it, less the internal force of the initial stress
   std::vector<double> surface_load;  ///< [3 * block nodes] N, loads spread over surfaces only
   std::vector<double> fixed;         ///< [block nodes] bits 0 1 2: x y z held
   std::vector<int> prescribed;       ///< components 3 * node + axis whose displacement is given

@@ -51,6 +51,13 @@ void each_element(const Problem& p, std::span<const double> gauss, Work work) {
 
 }  // namespace
 
+std::vector<double> gauss_stress(const Problem& p) {
+  p.backend->run(Phase::block_stress);
+  std::vector<double> stress = p.backend->read(Field::stress);
+  for (std::size_t i = 0; i < p.initial.stress.size(); ++i) stress[i] += p.initial.stress[i];
+  return stress;
+}
+
 std::vector<double> element_stress(const Problem& p, std::span<const double> gauss) {
   std::vector<double> stress(6 * static_cast<std::size_t>(p.model.mesh.element_count()));
   each_element(p, gauss, [&](int element, const Eigen::MatrixXd& values) {

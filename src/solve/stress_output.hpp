@@ -7,6 +7,9 @@
 /// Stress as results show it, from the Gauss points (numerics 2).
 namespace ashlar {
 
+/// Stress at the Gauss points at the present displacement, initial stress included, Pa: [6 * Gauss points].
+std::vector<double> gauss_stress(const Problem& problem);
+
 /// Mean over the Gauss points of every mesh element, Pa: [6 * elements] xx yy zz xy yz zx.
 /// @param gauss [6 * Gauss points], the machine's order
 std::vector<double> element_stress(const Problem& problem, std::span<const double> gauss);
