@@ -54,10 +54,16 @@ expect "first frequency" { that = function(result)
     end
     return c * c + s * s
   end
-  local best = 15
-  for omega = 15, 25, 0.005 do
-    if strength(omega) > strength(best) then best = omega end
+  local function strongest(from, to, step)
+    local best, most = from, 0
+    for omega = from, to, step do
+      local now = strength(omega)
+      if now > most then best, most = omega, now end
+    end
+    return best
   end
+  local near = strongest(15, 25, 0.1)
+  local best = strongest(near - 0.1, near + 0.1, 0.002)
   local reference = ({ [8] = 19.2118, [4] = 19.0274 })[args.size]
   if not reference then return best > 18.6 and best < 19.4, string.format("%.3f rad/s", best) end
   return math.abs(best / reference - 1) < 1e-3,
