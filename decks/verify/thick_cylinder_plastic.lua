@@ -3,9 +3,10 @@
 --   p = c cot(phi) [(b/a)^((N-1)/N) - 1], N = (1 + sin phi) / (1 - sin phi): 1.01741 MPa at phi = 30 deg.
 --   Widening u(a) at 0.8, 1.0 and 1.2 MPa without friction: CalculiX 2.20, C3D8I, 8 x 8 elements.
 -- Accept: limit pressure within 2 %, on a plateau; widening 2 % (there 8 x 8 of another element).
--- Runs: friction=0 | friction=30 | friction=0 elements=wedge6 | friction=30 elements=wedge6
+-- Runs: friction=0 | friction=30 | friction=0 elements=wedge6 | friction=30 elements=wedge6 | friction=30 law=mohr_coulomb
 local args = deck.args {
   friction    = { default = 0, doc = "angle of friction and dilation, degrees" },
+  law         = { default = "drucker_prager", doc = "with friction: drucker_prager (plane_strain) or mohr_coulomb" },
   n           = { default = 16, doc = "elements across the wall and along the quarter" },
   elements    = { default = "hex8", doc = "hex8 or wedge6" },
   formulation = { default = "bbar", doc = "bbar, or full to see it lock" },
@@ -31,7 +32,7 @@ extrude "wall" {
 }
 local law = { region = "wall", density = 2000*kg/m^3, young = 1*GPa, poisson = 0.3, formulation = args.formulation }
 if args.friction > 0 then
-  law.law, law.cohesion, law.friction, law.dilation = "drucker_prager", cohesion*Pa, phi, phi
+  law.law, law.cohesion, law.friction, law.dilation = args.law, cohesion*Pa, phi, phi
 else
   law.law, law.yield_stress = "von_mises", math.sqrt(3) * cohesion*Pa
 end

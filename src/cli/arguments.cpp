@@ -23,7 +23,9 @@ const std::vector<Option>& options() {
       {"--elements", "N", "one size of about N elements instead of the usual ones"},
       {"--out", "DIR", "folder for the results (DECK without .lua, plus .run)"},
       {"--force", "", "replaces the results of an earlier run, or an exported file"},
-      {"--to", "FILE", "file to export to: .msh (Gmsh), .vtu (ParaView), .inp (CalculiX, Abaqus)"},
+      {"--to", "FILE", "file to export to: .msh (Gmsh), .vtu (ParaView), .inp (CalculiX, Abaqus); curves of material: .csv"},
+      {"--confining", "P,P,...", "pressures of the triaxial tests of material, MPa (1,5)"},
+      {"--strain", "E", "largest strain of the tests of material (until flow goes on)"},
   };
   return all;
 }
@@ -43,6 +45,24 @@ int whole_number(const std::string& option, const std::string& text) {
   if (error != std::errc() || end != text.data() + text.size() || count < 1)
     throw UsageError(option + " takes a whole number of at least 1, not '" + text + "'");
   return count;
+}
+
+double positive_number(const std::string& option, const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !(value > 0) || !(value < 1e9))
+    throw UsageError(option + " takes positive numbers, not '" + text + "'");
+  return value;
+}
+
+std::vector<double> positive_numbers(const std::string& option, const std::string& text) {
+  std::vector<double> values;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    values.push_back(positive_number(option, text.substr(from, comma - from)));
+    from = comma + 1;
+  }
+  return values;
 }
 
 DeviceChoice device_named(const std::string& text) {
@@ -73,6 +93,8 @@ void take_option(Arguments& arguments, const std::string& name, const std::strin
   if (name == "--out") arguments.out = value;
   if (name == "--force") arguments.force = true;
   if (name == "--to") arguments.to = value;
+  if (name == "--confining") arguments.confining = positive_numbers(name, value);
+  if (name == "--strain") arguments.strain = positive_number(name, value);
 }
 
 }  // namespace
@@ -87,6 +109,12 @@ std::span<const Verb> verbs() {
        1,
        {"--to", "--set", "--force"},
        "writes the mesh for another program, for .inp with loads"},
+      {"material",
+       "DECK NAME",
+       2,
+       2,
+       {"--set", "--confining", "--strain", "--to", "--force"},
+       "drives one point of a material through the tests of a laboratory and shows the curves"},
       {"plot",
        "RUN [--of FIELD ...]",
        0,
@@ -152,7 +180,8 @@ std::string usage_page() {
   for (const Verb& verb : verbs())
     page += "  " + column(verb.name + (verb.operands.empty() ? "" : " " + verb.operands), 28) + verb.doc + "\n";
   page += "\noptions of run; check takes --set, export --to, --set and --force, "
-          "bench --device, --threads, --elements and --out\n";
+          "bench --device, --threads, --elements and --out,\n"
+          "material --set, --confining, --strain, --to and --force\n";
   for (const Option& option : options())
     page += "  " + column(option.name + (option.value.empty() ? "" : " " + option.value), 28) + option.doc + "\n";
   page +=

@@ -27,6 +27,8 @@ struct Arguments {
   std::string out;                                            ///< --out
   bool force = false;                                         ///< --force
   std::string to;                                             ///< --to
+  std::vector<double> confining{1, 5};                        ///< --confining, MPa
+  double strain = 0;                                          ///< --strain; 0: as far as flow needs
   std::vector<std::string> passed;  ///< plot: everything after the verb, for the plotting program
 };
 

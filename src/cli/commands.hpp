@@ -10,6 +10,7 @@ int export_command(const Arguments& arguments);
 int info_command(const Arguments& arguments);
 int help_command(const Arguments& arguments);
 int version_command(const Arguments& arguments);
+int material_command(const Arguments& arguments);
 int plot_command(const Arguments& arguments);
 int bench_command(const Arguments& arguments);
 

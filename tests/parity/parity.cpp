@@ -44,8 +44,9 @@ Model dam(const char* file, Blocks blocks) {
     for (Material& material : m.materials) material.law = "drucker_prager";
     m.materials[0].values.merge(std::map<std::string, double>{
         {"cohesion", 2e4}, {"friction", 0.4}, {"dilation", 0.2}, {"tension_cutoff", 1e4}, {"hardening", -1e6}});
-    m.materials[1].law = "von_mises";
-    m.materials[1].values.merge(std::map<std::string, double>{{"yield_stress", 2e4}, {"hardening", 1e9}});
+    m.materials[1].law = "mohr_coulomb";
+    m.materials[1].values.merge(std::map<std::string, double>{
+        {"cohesion", 1e4}, {"friction", 0.5}, {"dilation", 0.1}, {"tensile_strength", 1e4}});
   } else if (blocks != Blocks::continuous) {
     Interface i;
     i.name = "all";

@@ -26,6 +26,15 @@ ConePoint<double> von_mises(Values values) {
   return make_law<VonMises>(values).prepare<double>();
 }
 
+PyramidPoint<double> mohr_coulomb(Values values) {
+  values.insert({{"young", 100e6}, {"poisson", 0.3}});
+  return make_law<MohrCoulomb>(values).prepare<double>();
+}
+
+double overshoot(const PyramidPoint<double>& law, const Stress& s, const PlasticHistory<double>&) {
+  return law.overstep(principal(s).value) / law.strength;
+}
+
 /// Yield function over k: sqrt(J2) + a I1 - k, and I1 - cut-off.
 double overshoot(const ConePoint<double>& law, const Stress& s, const PlasticHistory<double>& h) {
   const auto i = invariants(s);
@@ -61,8 +70,9 @@ struct Point {
 };
 
 /// Axial stress on the plateau of a test at constant lateral stress.
-double plateau(const ConePoint<double>& law, double lateral, double step) {
-  Point<ConePoint<double>> point{law};
+template <class Law>
+double plateau(const Law& law, double lateral, double step) {
+  Point<Law> point{law};
   const double bulk3 = 3 * law.part.lambda + 2 * law.part.shear, e = lateral / bulk3;
   point.go_to({e, e, e, 0, 0, 0});
   for (int i = 0; i < 400; ++i) point.compress(step, lateral);
@@ -175,9 +185,40 @@ Stress turned(const double (&q)[3][3], const Stress& s, double shear_factor) {
   return {r[0][0], r[1][1], r[2][2], shear_factor * r[0][1], shear_factor * r[1][2], shear_factor * r[2][0]};
 }
 
+/// Flow along the normal of the surface loses the most energy that it can (Hill 1948): no admissible stress would lose
+/// more, (stress - other) : plastic strain >= 0. A wrong face, edge or tip does not pass.
+template <class Law>
+void check_largest_dissipation(const std::function<Law(std::mt19937&)>& draw, double size) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  for (int path = 0; path < 500; ++path) {
+    const Law law = draw(random);
+    std::vector<Stress> stresses;
+    std::vector<Strain> flows;
+    for (int i = 0; i < 60; ++i) {
+      PlasticHistory<double> h{};
+      Strain e;
+      const double mean = 2 * size * normal(random), axis = i % 3 == 0 ? 1e-9 : 1;  // some nearly with equal values
+      for (int c = 0; c < 6; ++c) e[c] = size * normal(random) * (c == 1 || c >= 3 ? axis : 1) + (c < 3 ? mean : 0);
+      stresses.push_back(law.stress(e, h));
+      flows.push_back(h.strain);
+    }
+    for (std::size_t i = 0; i < flows.size(); ++i)
+      for (std::size_t j = 0; j < stresses.size(); ++j) {
+        double work = 0, scale = 0;
+        for (int c = 0; c < 6; ++c) {
+          work += (stresses[i][c] - stresses[j][c]) * flows[i][c];
+          scale += std::abs(stresses[i][c] - stresses[j][c]) * std::abs(flows[i][c]);
+        }
+        ASSERT_GE(work, -1e-7 * scale - 1e-9 * law.strength * size);
+      }
+  }
+}
+
 /// 100 000 random paths of strain: never outside the surface, dissipation never negative, the same in turned axes, the
 /// same bits in a vector pack.
-void check_random_paths(const std::function<ConePoint<double>(std::mt19937&)>& draw, double size) {
+template <class Draw>
+void check_random_paths(Draw draw, double size) {
   std::mt19937 random(20261127);
   std::normal_distribution<double> normal;
   constexpr int width = pack_width<double>;
@@ -242,6 +283,65 @@ TEST(von_mises, random_paths_stay_on_or_inside_the_surface_and_only_lose_energy)
       2e-3);
 }
 
+TEST(mohr_coulomb, P28_plateaus_in_compression_extension_and_tension) {
+  const double c = 1.2e6, s = std::sin(35 * degree), cosine = std::cos(35 * degree), step = 1e-5;
+  for (const double dilation : {0.0, 10 * degree, 35 * degree}) {
+    const auto law =
+        mohr_coulomb({{"cohesion", c}, {"friction", 35 * degree}, {"dilation", dilation}, {"young", 10e9}});
+    const double uniaxial = 2 * c * cosine / (1 - s), share = (1 + s) / (1 - s);
+    EXPECT_NEAR(plateau(law, 0, -step), -uniaxial, 1e-6 * uniaxial);
+    EXPECT_NEAR(plateau(law, -5e6, -4 * step), -uniaxial - 5e6 * share, 1e-3 * uniaxial);
+    EXPECT_NEAR(plateau(law, -20e6, 4 * step), -(20e6 - uniaxial) / share, 1e-3 * uniaxial);
+    EXPECT_NEAR(plateau(law, 0, step), 2 * c * cosine / (1 + s), 1e-3 * uniaxial);
+  }
+  const auto cut =
+      mohr_coulomb({{"cohesion", c}, {"friction", 35 * degree}, {"tensile_strength", 4e5}, {"young", 10e9}});
+  EXPECT_NEAR(plateau(cut, 0, step), 4e5, 1);
+}
+
+TEST(mohr_coulomb, P29_oedometer_without_dilation_keeps_the_active_ratio) {
+  const double c = 1e4, phi = 30 * degree, s = std::sin(phi);
+  Point<PyramidPoint<double>> point{mohr_coulomb(
+      {{"cohesion", c}, {"friction", phi}, {"poisson", 0.1}})};  // poisson / (1 - poisson) < (1 - s) / (1 + s)
+  for (int i = 1; i <= 100; ++i) point.go_to({0, 0, -1e-4 * i, 0, 0, 0});
+  EXPECT_NEAR(-point.stress.zz * (1 - s), 2 * c * std::cos(phi) - point.stress.xx * (1 + s), 1e-8 * c);
+  const double bulk = 100e6 / (3 * (1 - 2 * 0.1));
+  EXPECT_NEAR(point.stress.xx + point.stress.yy + point.stress.zz, -3 * bulk * 1e-2, 1e-6 * bulk);
+}
+
+MohrCoulomb random_pyramid(std::mt19937& random, bool associated) {
+  std::uniform_real_distribution<double> share(0, 1);
+  MohrCoulomb law;
+  law.young = 100e6;
+  law.poisson = 0.3;
+  law.friction = 45 * degree * share(random);
+  law.cohesion = 1e5 * (0.1 + share(random));
+  law.dilation = law.friction * (associated ? 1 : share(random));
+  if (share(random) < 0.5) law.tensile_strength = law.cohesion / std::tan(law.friction) * share(random);
+  return law;
+}
+
+TEST(mohr_coulomb, random_paths_stay_on_or_inside_the_surface_and_only_lose_energy) {
+  check_random_paths([](std::mt19937& random) { return random_pyramid(random, false).prepare<double>(); }, 2e-3);
+}
+
+TEST(mohr_coulomb, associated_flow_loses_the_most_energy) {
+  check_largest_dissipation<PyramidPoint<double>>(
+      [](std::mt19937& random) { return random_pyramid(random, true).prepare<double>(); }, 2e-3);
+}
+
+TEST(drucker_prager, associated_flow_loses_the_most_energy) {
+  check_largest_dissipation<ConePoint<double>>(
+      [](std::mt19937& random) {
+        std::uniform_real_distribution<double> share(0, 1);
+        Values values{{"cohesion", 1e5}, {"friction", 45 * degree * share(random)}};
+        values["dilation"] = values["friction"];
+        if (share(random) < 0.5) values["tension_cutoff"] = 5e4 * share(random);
+        return drucker_prager(values);
+      },
+      2e-3);
+}
+
 std::vector<LawComplaint> complaints(const std::string& law, Values values) {
   values.insert({{"young", 1e9}, {"poisson", 0.2}});
   return std::visit([](const auto& l) { return l.complaints(); }, make_block_law(law, values));
@@ -263,6 +363,8 @@ TEST(block_laws, numbers_that_contradict_each_other_are_refused) {
   EXPECT_EQ(key("drucker_prager", {{"cohesion", 1e5}, {"friction", 0.5}, {"tension_cutoff", 2e5}}), "tension_cutoff");
   EXPECT_EQ(key("drucker_prager", {{"cohesion", 1e5}, {"friction", 0.5}, {"residual", 2e5}}), "residual");
   EXPECT_EQ(key("drucker_prager", {{"cohesion", 1e5}, {"friction", 0.5}, {"hardening", -1e12}}), "hardening");
+  EXPECT_EQ(key("mohr_coulomb", {{"cohesion", 1e5}, {"friction", 0.5}, {"dilation", 0.6}}), "dilation");
+  EXPECT_EQ(key("mohr_coulomb", {{"cohesion", 1e5}, {"friction", 0.5}, {"tensile_strength", 2e5}}), "tensile_strength");
   EXPECT_EQ(key("von_mises", {{"yield_stress", 1e5}, {"residual_stress", 2e5}}), "residual_stress");
 }
 

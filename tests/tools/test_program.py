@@ -37,6 +37,14 @@ ENDLESS = """stage "heat" {
   apply = { fixed_temperature { surface = "left", value = 20*degC } }, solve = thermal { duration = 1e12 },
 }"""
 
+# Case P28, outer cone.
+ROCK = """model "rock" {}
+material "rock" {
+  region = "rock", law = "drucker_prager", density = 2400*kg/m^3, young = 10*GPa, poisson = 0.2,
+  cohesion = 1.2*MPa, friction = 35*deg, match = "outer",
+}
+"""
+
 
 class Program(unittest.TestCase):
     def setUp(self):
@@ -97,6 +105,25 @@ class Program(unittest.TestCase):
         refused = self.ashlar("export", "bar.lua", "--to", "bar.msh")
         self.assertEqual(refused.returncode, 2)
         self.assertIn("--force", refused.stderr)
+
+    def test_material_shows_the_strength_that_theory_gives(self):
+        (self.folder / "rock.lua").write_text(ROCK, encoding="utf-8")
+        answer = self.ashlar("material", "rock.lua", "rock", "--confining", "5", "--to", "rock.csv")
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertIn("uniaxial compression: flows from", answer.stdout)
+        curves = {}
+        for line in (self.folder / "rock.csv").read_text(encoding="utf-8").splitlines()[1:]:
+            test, *numbers = line.split(",")
+            curves.setdefault(test, []).append([float(n) for n in numbers])
+        for test, strength in (("uniaxial compression", -4.610357e6), ("uniaxial tension", 1.650418e6),
+                               ("triaxial compression at 5 MPa", -23.061219e6), ("simple shear", 1.403362e6)):
+            self.assertAlmostEqual(curves[test][-1][1] / strength, 1, delta=1e-3, msg=test)
+        refused = self.ashlar("material", "rock.lua", "rocks")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("did you mean 'rock'", refused.stderr)
+        refused = self.ashlar("material", "rock.lua", "rock", "--confining", "5,-1")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--confining takes positive numbers, not '-1'", refused.stderr)
 
     def test_a_failed_expect_exits_4(self):
         self.deck()

@@ -20,8 +20,6 @@ DruckerPrager::Cone DruckerPrager::cone() const {
   return {slope(friction), slope(dilation), strength};
 }
 
-static double degrees(double angle) { return angle * 57.295779513082320877; }
-
 std::vector<LawComplaint> DruckerPrager::complaints() const {
   std::vector<LawComplaint> found;
   const auto complain = [&](const char* key, const std::string& message) { found.push_back({key, message}); };
@@ -38,9 +36,7 @@ std::vector<LawComplaint> DruckerPrager::complaints() const {
   } else {
     if (!given(cohesion)) complain("", "missing 'cohesion' [Pa]: shear strength without normal stress");
     if (!given(friction)) complain("", "missing 'friction': friction angle, such as 35*deg");
-    if (dilation > friction)
-      complain("dilation", above("dilation", degrees(dilation), "friction", degrees(friction), " deg") +
-                               ": flow would make energy; give at most the friction angle");
+    if (dilation > friction) complain("dilation", dilation_above(dilation, friction));
   }
   if (!found.empty()) return found;
   const auto point = prepare<double>();

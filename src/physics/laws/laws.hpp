@@ -7,12 +7,13 @@
 
 #include "physics/laws/drucker_prager.hpp"
 #include "physics/laws/elastic.hpp"
+#include "physics/laws/mohr_coulomb.hpp"
 #include "physics/laws/von_mises.hpp"
 
 /// The register of block laws. Adding one: its header, its name in this list, its test.
 namespace ashlar {
 
-using BlockLaws = std::tuple<Elastic, DruckerPrager, VonMises>;
+using BlockLaws = std::tuple<Elastic, DruckerPrager, MohrCoulomb, VonMises>;
 
 template <class>
 struct VariantOf;

@@ -14,6 +14,12 @@ inline std::string above(const char* key, double value, const char* other, doubl
   return text;
 }
 
+inline std::string dilation_above(double dilation, double friction) {
+  constexpr double degrees = 57.295779513082320877;
+  return above("dilation", degrees * dilation, "friction", degrees * friction, " deg") +
+         ": flow would make energy; give at most the friction angle";
+}
+
 /// Softening faster than the elastic spring of the point itself has no static answer.
 inline void check_softening(const ConePoint<double>& p, double hardening, std::vector<LawComplaint>& found) {
   const double bulk = p.part.lambda + p.part.shear * 2 / 3;
