@@ -100,6 +100,9 @@ std::string summary(const Model& model, const RunResult& result, const RunFacts&
   for (std::size_t i = 0; i < result.stages.size(); ++i)
     describe_stage(page, static_cast<int>(i) + 1, result.stages[i]);
   for (const StageResult& stage : result.stages) describe_cracks(page, stage);
+  for (const StageResult& stage : result.stages)
+    if (stage.plastic_work > 0)
+      page.line("flow", text("%s: plastic flow dissipated %.4g J", stage.name.c_str(), stage.plastic_work));
   page.line("time", duration_text(facts.wall_seconds) + " in all");
   describe_phases(page, result);
   page.line("memory", text("%.0f MB at most", peak_memory() / 1e6));

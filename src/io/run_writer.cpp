@@ -108,6 +108,7 @@ Json described(const StageResult& stage) {
   json["cracked_area_by_direction"] = described(stage.cracked_area_by_direction);
   json["free_blocks"] = stage.free_blocks;
   json["dissipated_energy"] = stage.dissipated_energy;
+  json["plastic_work"] = stage.plastic_work;
   if (stage.time_step > 0) {
     json["time_step"] = stage.time_step;
     json["stable_step"] = stage.stable_step;

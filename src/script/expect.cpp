@@ -73,6 +73,7 @@ int stage(lua_State* L) {
   lua_setfield(L, -2, "first_crack_place");
   number("cracked_area", s.cracked_area);
   number("dissipated_energy", s.dissipated_energy);
+  number("plastic_work", s.plastic_work);
   number("free_blocks", static_cast<double>(s.free_blocks.size()));
   number("time_step", s.time_step);
   number("stable_step", s.stable_step);

@@ -516,7 +516,7 @@ const std::vector<NounRule>& nouns() {
               "if it likes, a text). The result offers "
               "stage(name) with .converged .steps .ratio .load_factor .stop_reason .cracks (number of crack events) "
               ".first_crack (the load factor of the first) .first_crack_place (its .x .y .z) .cracked_area "
-              ".dissipated_energy .free_blocks, "
+              ".dissipated_energy .plastic_work .free_blocks, "
               "and history(name) with .at(column, stage), .values(column, stage) and .columns.",
        .keys = {key("history", Type::text, "name of a history"),
                 key("component", Type::text, "its column, such as \"displacement.z\""),

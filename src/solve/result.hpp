@@ -55,7 +55,8 @@ struct StageResult {
   double cracked_area = 0;                             ///< m^2, all broken contact points at the stage's end
   std::map<std::string, double> cracked_area_by_direction;  ///< "horizontal" (normal within 30 deg of z), "vertical" (normal within 30 deg of the horizontal plane), "inclined"
   std::vector<int> free_blocks;                        ///< blocks that lost all contact, Blocks numbering
-  double dissipated_energy = 0;                        ///< J, by sliding and cracking; in dynamic stages also by damping
+  double dissipated_energy = 0;                        ///< J, by sliding, cracking and plastic flow; in dynamic stages also by damping
+  double plastic_work = 0;                             ///< J, the part of plastic flow
   double seconds = 0;                                  ///< dynamic stages: time reached, s
   double time_step = 0, stable_step = 0;               ///< s, dynamic stages
   std::optional<InitialBalance> initial;               ///< of the first mechanical stage of a model with initial stress

@@ -92,7 +92,8 @@ class Run {
     std::visit([this](const auto& how) { solve_stage(how); }, stage().solve);
     temperatures_at_end_[stage().name] = temperature_;
     const double work_before = std::exchange(plastic_work_, plastic_work(problem_));
-    outcome_.dissipated_energy += plastic_work_ - work_before;
+    outcome_.plastic_work = plastic_work_ - work_before;
+    outcome_.dissipated_energy += outcome_.plastic_work;
 
     record({stage_, stage_ + 1.0, outcome_.load_factor, true, outcome_.seconds, 0});
     outcome_.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
