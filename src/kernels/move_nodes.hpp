@@ -20,48 +20,48 @@ struct MoveNode {
   BodyView<Real> body;
   const StepDamping<Real>* damping;
 
-  /// What a step needs of the node beside its force, N.
-  struct Before {
-    SummedValue<Real> u[3];
-    Real v[3], load[3], inverse_mass;
-    std::uint8_t fixed;
+  /// What a step needs beside the force of one component of a node.
+  struct Component {
+    SummedValue<Real> u;
+    Real v, load;
   };
-  ASHLAR_HD Before read(int node) const {
-    Before b;
-    ASHLAR_UNROLL
-    for (int c = 0; c < 3; ++c) {
-      b.u[c] = body.u[3 * node + c];
-      b.v[c] = body.v[3 * node + c];
-      b.load[c] = body.load[3 * node + c];
-    }
-    b.inverse_mass = body.inverse_mass[node];
-    b.fixed = body.fixed[node];
-    return b;
-  }
-  ASHLAR_HD static bool held(const Before& b, int c) { return (unsigned(b.fixed) >> c) & 1u; }
+  ASHLAR_HD Component read_component(int i) const { return {body.u[i], body.v[i], body.load[i]}; }
+  ASHLAR_HD static bool held(std::uint8_t fixed, int c) { return (unsigned(fixed) >> c) & 1u; }
 
-  /// Unbalanced force, less local damping; `force` is internal and contact force.
-  ASHLAR_HD static Real damped_force(const StepDamping<Real>& d, const Before& b, int c, Real force) {
-    const Real f = b.load[c] - force;
-    const Real sign = Real((b.v[c] > Real(0)) - (b.v[c] < Real(0)));
+  /// Unbalanced force, less local damping; `force` is internal and contact force, N.
+  ASHLAR_HD static Real damped_force(const StepDamping<Real>& d, const Component& before, Real force) {
+    const Real f = before.load - force;
+    const Real sign = Real((before.v > Real(0)) - (before.v < Real(0)));
     return fma(-d.local * (f < Real(0) ? -f : f), sign, f);
   }
 
   /// @param shared acceleration of the group that the node belongs to
-  ASHLAR_HD void component(const StepDamping<Real>& d, int node, const Before& b, int c, Real force,
-                           Real shared) const {
-    if (held(b, c)) return;
-    const Real moved = fma(d.keep, b.v[c], d.gain * fma(b.inverse_mass, damped_force(d, b, c, force), shared));
-    body.v[3 * node + c] = moved;
-    SummedValue<Real> u = b.u[c];
+  ASHLAR_HD void move(const StepDamping<Real>& d, int i, const Component& before, Real inverse_mass, Real force,
+                      Real shared) const {
+    const Real moved = fma(d.keep, before.v, d.gain * fma(inverse_mass, damped_force(d, before, force), shared));
+    body.v[i] = moved;
+    SummedValue<Real> u = before.u;
     u.add(moved);
-    body.u.write(3 * node + c, u);
+    body.u.write(i, u);
   }
 
-  ASHLAR_HD void operator()(int node, const Before& b, const Real (&force)[3]) const {
+  /// A whole node: machines that make its step as soon as its force is there ask for this early.
+  struct Before {
+    Component along[3];
+    Real inverse_mass;
+    std::uint8_t fixed;
+  };
+  ASHLAR_HD Before read(int node) const {
+    return {{read_component(3 * node), read_component(3 * node + 1), read_component(3 * node + 2)},
+            body.inverse_mass[node],
+            body.fixed[node]};
+  }
+  ASHLAR_HD void operator()(int node, const Before& before, const Real (&force)[3]) const {
     const StepDamping<Real> d = *damping;
     ASHLAR_UNROLL
-    for (int c = 0; c < 3; ++c) component(d, node, b, c, force[c], Real(0));
+    for (int c = 0; c < 3; ++c)
+      if (!held(before.fixed, c))
+        move(d, 3 * node + c, before.along[c], before.inverse_mass, force[c], Real(0));
   }
 };
 
@@ -69,28 +69,30 @@ struct MoveNode {
 template <class Real>
 struct MoveNodes {
   GroupView<Real> groups;
-  MoveNode<Real> move;
+  MoveNode<Real> step;
 
   ASHLAR_HD void operator()(int group) const {
+    const BodyView<Real>& body = step.body;
+    const StepDamping<Real> d = *step.damping;
     for (int c = 0; c < 3; ++c) {
-      const Real shared = shared_pull(group, c);
+      const Real shared = shared_pull(d, group, c);
       for (int j = groups.begin(group); j < groups.end(group); ++j) {
-        const int node = groups.node(j);
-        move.component(*move.damping, node, move.read(node), c, move.body.force[3 * node + c], shared);
+        const int node = groups.node(j), i = 3 * node + c;
+        if (!step.held(body.fixed[node], c))
+          step.move(d, i, step.read_component(i), body.inverse_mass[node], body.force[i], shared);
       }
     }
   }
 
  private:
   /// Acceleration of the whole group by the sum of its forces; none where a support holds one of its nodes.
-  ASHLAR_HD Real shared_pull(int group, int c) const {
+  ASHLAR_HD Real shared_pull(const StepDamping<Real>& d, int group, int c) const {
     if (groups.single(group)) return Real(0);
     Real sum = Real(0);
     for (int j = groups.begin(group); j < groups.end(group); ++j) {
-      const int node = groups.node(j);
-      const auto before = move.read(node);
-      if (move.held(before, c)) return Real(0);
-      sum += move.damped_force(*move.damping, before, c, move.body.force[3 * node + c]);
+      const int node = groups.node(j), i = 3 * node + c;
+      if (step.held(step.body.fixed[node], c)) return Real(0);
+      sum += step.damped_force(d, step.read_component(i), step.body.force[i]);
     }
     return groups.pull[group] * sum;
   }
