@@ -104,6 +104,7 @@ const std::vector<Recorded>& recorded() {
       {"velocity", dimension::velocity, vector, true, false, false},
       {"temperature", dimension::temperature, {}, true, false, true},
       {"stress", dimension::pressure, tensor, true, false, true},
+      {"nodal_stress", dimension::pressure, tensor, true, false, false},
       {"principal_stress", dimension::pressure, {}, false, false, true},
       {"plastic_strain", dimension::none, {}, true, false, true},
       {"opening", dimension::length, {}, false, false, true},
@@ -487,7 +488,8 @@ const std::vector<NounRule>& nouns() {
        .keys = {key("at", Type::vector, "the point; give this or `surface`").in(dimension::length),
                 key("surface", Type::text, "the surface; give this or `at`"),
                 key("record", Type::choices,
-                    "at a point: displacement, velocity, temperature, stress, plastic_strain; over a surface: reaction, load, "
+                    "at a point: displacement, velocity, temperature, stress (mean of the element there), nodal_stress "
+                    "(extrapolated to the nodes, averaged there), plastic_strain; over a surface: reaction, load, "
                     "load_moment; with neither: energy, of dynamic stages")
                     .of(history_names())
                     .need()},

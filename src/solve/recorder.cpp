@@ -83,7 +83,7 @@ void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
     } else if (at_point && record == "temperature") {
       table.columns.push_back(record);
       table.units.push_back("degC");
-    } else if (at_point && record == "stress") {
+    } else if (at_point && (record == "stress" || record == "nodal_stress")) {
       for (const char* c : stress_components) {
         table.columns.push_back(record + "." + c);
         table.units.push_back("Pa");
@@ -99,7 +99,7 @@ void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
       throw DeckError(probe.history->where,
                       "history '" + probe.history->name + "': cannot record '" + record + "' " +
                           (at_point     ? "at a point; valid: displacement, velocity, temperature, stress, "
-                                         "plastic_strain"
+                                         "nodal_stress, plastic_strain"
                            : on_surface ? "on a surface; valid: reaction, load, load_moment"
                                         : "of the whole model; valid: energy"));
     }
@@ -112,12 +112,12 @@ std::vector<double> Recorder::displacement() const {
 
 void Recorder::reset_displacement() { reference_displacement_ = displacement(); }
 
-/// Mean over the copies of a node, or interpolated in an element. `field` [3 * block nodes], Blocks order.
-Vec3<double> Recorder::at_point(const Probe& probe, const std::vector<double>& field) const {
+/// Mean over the copies of a node, or interpolated in an element. `field` [components * block nodes], Blocks order.
+std::vector<double> Recorder::at_point(const Probe& probe, const std::vector<double>& field, int components) const {
   const Blocks& blocks = problem_.blocks;
-  Vec3<double> value;
+  std::vector<double> value(components);
   const auto add = [&](double weight, int n) {
-    for (int c = 0; c < 3; ++c) value[c] += weight * field[3 * n + c];
+    for (int c = 0; c < components; ++c) value[c] += weight * field[static_cast<std::size_t>(components) * n + c];
   };
   if (const int n = probe.location.node; n >= 0) {
     const int copies = blocks.first_copy[n + 1] - blocks.first_copy[n];
@@ -137,11 +137,11 @@ void Recorder::add_values(const Probe& probe, std::vector<double>& row) {
     if (record == "displacement") {
       std::vector<double> u = displacement();
       for (std::size_t i = 0; i < u.size(); ++i) u[i] -= reference_displacement_[i];
-      const Vec3<double> value = at_point(probe, u);
-      for (int c = 0; c < 3; ++c) row.push_back(value[c]);
+      const std::vector<double> value = at_point(probe, u, 3);
+      row.insert(row.end(), value.begin(), value.end());
     } else if (record == "velocity") {
-      const Vec3<double> value = velocity_.empty() ? Vec3<double>{} : at_point(probe, velocity_);
-      for (int c = 0; c < 3; ++c) row.push_back(value[c]);
+      const std::vector<double> value = velocity_.empty() ? std::vector<double>(3) : at_point(probe, velocity_, 3);
+      row.insert(row.end(), value.begin(), value.end());
     } else if (record == "energy") {
       row.insert(row.end(),
                  {energy_.kinetic, energy_.strain, energy_.dissipated, energy_.external_work, energy_.error});
@@ -154,6 +154,10 @@ void Recorder::add_values(const Probe& probe, std::vector<double>& row) {
     } else if (record == "stress") {
       const std::vector<double> stress = element_stress(problem_, gauss_stress(problem_));
       for (int c = 0; c < 6; ++c) row.push_back(stress[6 * static_cast<std::size_t>(probe.location.element) + c]);
+    } else if (record == "nodal_stress") {
+      backend.run(Phase::block_stress);
+      const std::vector<double> value = at_point(probe, nodal_stress(problem_, backend.read(Field::stress)), 6);
+      row.insert(row.end(), value.begin(), value.end());
     } else if (record == "plastic_strain") {
       row.push_back(element_plastic_strain(problem_)[probe.location.element]);
     } else if (record == "reaction") {

@@ -49,7 +49,7 @@ class Recorder {
   };
   void add_columns(const Probe& probe, HistoryTable& table) const;
   void add_values(const Probe& probe, std::vector<double>& row);
-  Vec3<double> at_point(const Probe& probe, const std::vector<double>& field) const;
+  std::vector<double> at_point(const Probe& probe, const std::vector<double>& field, int components) const;
   std::vector<double> displacement() const;
 
   const Problem& problem_;
