@@ -28,3 +28,11 @@ if command -v nvcc >/dev/null || [ -x /usr/local/cuda/bin/nvcc ]; then
   cmake --build build-cpu --target ashlar
   ctest --test-dir build-cpu --output-on-failure --label-regex source
 fi
+
+# At night also with sanitizers: unit tests, wrong decks, the decks to start from, and random mistakes.
+if [ -z "$labels" ]; then
+  cmake --preset sanitize
+  cmake --build build-sanitize
+  ctest --test-dir build-sanitize --output-on-failure --parallel 1 --label-exclude "nightly|verify|source" \
+    --exclude-regex "decks_dam|parity|plot|readme"
+fi

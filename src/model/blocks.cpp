@@ -1,7 +1,10 @@
 #include "model/blocks.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+
+#include "model/place_text.hpp"
 
 namespace ashlar {
 
@@ -112,6 +115,26 @@ CornersOfNodes corners_of_nodes(const Mesh& mesh) {
   return of;
 }
 
+/// Why two regions may share no face: the gap between the boxes around them, or meshes that do not meet.
+std::string why_apart(const Mesh& mesh, const std::vector<std::string>& regions) {
+  const double none = std::numeric_limits<double>::infinity();
+  Vec3<double> low[2], high[2];
+  for (int side = 0; side < 2; ++side) {
+    low[side] = {none, none, none}, high[side] = {-none, -none, -none};
+    const int region = mesh.find_region(regions[side]);
+    for (int e = 0; e < mesh.element_count(); ++e)
+      for (int node : mesh.element(e))
+        for (int i = 0; mesh.regions[e] == region && i < 3; ++i) {
+          low[side][i] = std::min(low[side][i], mesh.points[node][i]);
+          high[side][i] = std::max(high[side][i], mesh.points[node][i]);
+        }
+  }
+  for (int i = 0; i < 3; ++i)
+    if (const double gap = std::max(low[0][i] - high[1][i], low[1][i] - high[0][i]); gap > 1e-9 * (high[0][i] - low[0][i]))
+      return "a gap of " + number_text(gap) + " m along " + "xyz"[i] + " lies between them; let them touch";
+  return "their meshes must have the same corner nodes where they touch";
+}
+
 void refuse_joints_without_faces(const Model& model, const std::vector<InterfaceFace>& faces) {
   std::vector<int> count(model.interfaces.size(), 0);
   for (const auto& face : faces) ++count[face.interface];
@@ -121,7 +144,7 @@ void refuse_joints_without_faces(const Model& model, const std::vector<Interface
     if (count[i] || declared.crackable) continue;
     wrong.add(declared.where, kind_and_name(declared) + ": regions '" + declared.regions[0] + "' and '" +
                                   declared.regions[1] +
-                                  "' share no face: their meshes must have the same corner nodes where they touch");
+                                  "' share no face: " + why_apart(model.mesh, declared.regions));
   }
   wrong.raise();
 }

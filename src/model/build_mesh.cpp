@@ -2,6 +2,7 @@
 #include <set>
 
 #include "model/check_mesh.hpp"
+#include "model/doubts.hpp"
 #include "model/mesher/extrude.hpp"
 #include "model/mesher/merge_points.hpp"
 #include "model/mesher/solid.hpp"
@@ -34,6 +35,7 @@ class Assembly {
     check_mesh(mesh_, region_declared_);
     note_locking();
     add_surfaces();
+    for (const std::string& doubt : doubts(model_)) model_.notes.push_back(doubt);
   }
 
  private:

@@ -18,6 +18,7 @@ std::string describe(lua_State* L, int index) {
   if (lua_type(L, index) == LUA_TBOOLEAN) return lua_toboolean(L, index) ? "true" : "false";
   if (luaL_testudata(L, index, handle_type)) return "a condition or solve";
   if (is_in_time(L, index)) return "values in time";
+  if (lua_isnil(L, index)) return "nil, the value of what was not set or returned";
   return std::string("a ") + luaL_typename(L, index);
 }
 

@@ -238,15 +238,21 @@ void Sandbox::run_text(const std::string& text, const std::string& name) {
 
 std::string Sandbox::read_source(const std::string& path) {
   std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw DeckError({}, path + ": this is a folder; name the deck in it, such as " +
+                            (std::filesystem::path(path) / "dam.lua").string());
   if (!std::filesystem::is_regular_file(path, ignored)) throw DeckError({}, path + ": no such file");
   if (std::filesystem::file_size(path, ignored) > largest_source)
     throw DeckError({}, path + ": larger than " + megabytes(largest_source) + ", which no deck is");
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw DeckError({}, path + ": cannot be read");
-  lines_[path] = DeckLines(text.str());
-  return text.str();
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file) throw DeckError({}, path + ": cannot be read; may you read it?");
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // the mark that some editors begin UTF-8 with
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw DeckError({}, path + ": is written in UTF-16; save it as UTF-8");
+  if (text.find('\0') != std::string::npos) throw DeckError({}, path + ": is no text; a deck is a Lua text in UTF-8");
+  lines_[path] = DeckLines(text);
+  return text;
 }
 
 void Sandbox::run_deck() { run_text(read_source(deck), "@" + deck); }

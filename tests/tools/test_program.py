@@ -147,6 +147,44 @@ class Program(unittest.TestCase):
                 self.assertEqual(answer.stdout, "")
                 self.assertNotEqual(answer.stderr, "")
 
+    def test_what_looks_like_a_slip_of_units_or_axes_is_noted_and_nothing_else(self):
+        self.deck('gravity { z = -9.81 }')
+        self.assertNotIn("note", self.ashlar("check", "bar.lua").stdout)
+        extra = """surface "all" { of = "bar" }
+        fixed_temperature { surface = "left", value = 293 }
+        gravity "sideways" { y = -9.81 }
+        gravity "up" { z = 9.81 }
+        water_pressure "high" { surface = "right", level = 60 }
+        water_pressure "low" { surface = "right", level = -60 }
+        stage "heat" { solve = thermal { steady = true } }"""
+        self.deck(extra)
+        deck = self.folder / "bar.lua"
+        deck.write_text(deck.read_text(encoding="utf-8").replace("7800", "7.8").replace("200*GPa", "200")
+                        .replace("= 460", "= 0.46").replace("4*m,1*m,1*m", "4e4,1*m,1*m"), encoding="utf-8")
+        answer = self.ashlar("check", "bar.lua")
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        said = " ".join(answer.stdout.replace("\nnote", "\n").split())
+        for words in ("bar.lua:3: the model is 40000 m long",
+                      "bar.lua:5: material 'steel': 'density' is 7.8 kg/m^3, unusually small",
+                      "'heat_capacity' is 0.46 J/(kg*K)", "'young' is 200 Pa, unusually small; bare numbers are Pa",
+                      "'value' is 293 degC; is it in kelvin? That would be 19.85*degC", "gravity 'sideways': acts sideways only",
+                      "gravity 'up': points upwards", "'high': the level 60 m is above the highest point of the model, 1 m",
+                      "'low': the level -60 m is below the surface"):
+            self.assertIn(words, said)
+
+    def test_a_deck_marked_as_utf_8_or_with_the_line_ends_of_windows_is_read(self):
+        self.deck()
+        deck = self.folder / "bar.lua"
+        plain = deck.read_bytes()
+        for text in (b"\xef\xbb\xbf" + plain, plain.replace(b"\n", b"\r\n")):
+            deck.write_bytes(text)
+            self.assertEqual(self.ashlar("check", "bar.lua").returncode, 0)
+
+    def test_a_folder_is_no_deck(self):
+        answer = self.ashlar("check", str(self.folder))
+        self.assertEqual(answer.returncode, 2)
+        self.assertIn("this is a folder", answer.stderr)
+
     def test_a_folder_that_cannot_be_made_exits_5(self):
         self.deck()
         answer = self.ashlar("run", "bar.lua", "--out", "/proc/nowhere")

@@ -1,0 +1,117 @@
+#include "model/doubts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/model.hpp"
+#include "model/place_text.hpp"
+
+namespace ashlar {
+namespace {
+
+class Doubts {
+ public:
+  explicit Doubts(const Model& model) : model_(model) {}
+
+  std::vector<std::string> all() {
+    size();
+    for (const Material& material : model_.materials) {
+      const std::string who = "material '" + material.name + "'";
+      quantity(material.where, who, "density", material.density, 100, 30e3, "kg/m^3", "2400*kg/m^3");
+      if (material.heat_capacity)
+        quantity(material.where, who, "heat_capacity", *material.heat_capacity, 50, 20e3, "J/(kg*K)", "900*J/(kg*K)");
+      constants(material.where, who, material.values);
+    }
+    for (const Interface& i : model_.interfaces)
+      constants(i.where, (i.crackable ? "crackable '" : "joint '") + i.name + "'", i.values);
+    temperature(model_.where, "model", "reference_temperature", model_.reference_temperature);
+    for (const Condition& condition : model_.conditions) {
+      const std::string who = condition.noun + (condition.name.empty() ? "" : " '" + condition.name + "'");
+      if (const auto* g = std::get_if<Gravity>(&condition.kind)) gravity(condition.where, who, g->acceleration);
+      if (const auto* w = std::get_if<WaterPressure>(&condition.kind)) level(condition, who, w->level);
+      if (const auto* t = std::get_if<FixedTemperature>(&condition.kind))
+        given(condition.where, who, "value", t->value);
+      if (const auto* t = std::get_if<Convection>(&condition.kind)) given(condition.where, who, "ambient", t->ambient);
+      if (const auto* t = std::get_if<InitialTemperature>(&condition.kind))
+        given(condition.where, who, "value", t->value);
+    }
+    return std::move(lines_);
+  }
+
+ private:
+  void add(const Where& where, const std::string& text) { lines_.push_back(where.prefix() + text); }
+
+  /// Usual values lie between `low` and `high`; 0 stands for something that is not there.
+  void quantity(const Where& where, const std::string& who, const std::string& key, double value, double low,
+                double high, const std::string& unit, const std::string& example) {
+    if (value == 0 || (value >= low && value <= high)) return;
+    add(where, who + ": '" + key + "' is " + number_text(value) + " " + unit + ", unusually " +
+                   (value < low ? "small" : "large") + "; bare numbers are " + unit + ", as in " + example);
+  }
+
+  void constants(const Where& where, const std::string& who, const std::map<std::string, double>& values) {
+    const auto look = [&](const char* key, double low, double high, const char* unit, const char* example) {
+      if (const auto found = values.find(key); found != values.end())
+        quantity(where, who, key, found->second, low, high, unit, example);
+    };
+    look("young", 1e5, 2e12, "Pa", "30*GPa");
+    look("expansion", 1e-8, 1e-3, "1/K", "1e-5/K");
+    look("tensile_strength", 100, 1e10, "Pa", "2*MPa");
+    look("cohesion", 100, 1e10, "Pa", "2*MPa");
+    look("normal_stiffness", 1e5, 1e16, "Pa/m", "100*GPa/m");
+    look("shear_stiffness", 1e5, 1e16, "Pa/m", "100*GPa/m");
+  }
+
+  void given(const Where& where, const std::string& who, const char* key, const Value& value) {
+    if (!value.at) temperature(where, who, key, value.constant);
+  }
+  void temperature(const Where& where, const std::string& who, const char* key, double value) {
+    if (value >= 250 && value <= 330)
+      add(where, who + ": '" + key + "' is " + number_text(value) + " degC; is it in kelvin? That would be " +
+                     number_text(value - 273.15) + "*degC");
+  }
+
+  void gravity(const Where& where, const std::string& who, const Vec3<double>& a) {
+    if (a[2] > 0) add(where, who + ": points upwards, for z is up; weight is z = -9.81");
+    if (a[2] == 0 && std::hypot(a[0], a[1]) > 5)
+      add(where, who + ": acts sideways only, for z is up; weight is z = -9.81");
+  }
+
+  void level(const Condition& condition, const std::string& who, double level) {
+    double lowest = std::numeric_limits<double>::infinity(), top = -lowest;
+    for (const std::string& name : condition.surfaces)
+      if (const Surface* surface = model_.mesh.find_surface(name))
+        for (const Facet& facet : surface->facets) lowest = std::min(lowest, model_.mesh.facet_centroid(facet)[2]);
+    for (const auto& point : model_.mesh.points) top = std::max(top, point[2]);
+    if (level > top)
+      add(condition.where, who + ": the level " + number_text(level) + " m is above the highest point of the model, " +
+                               number_text(top) + " m; heights are z, in m");
+    if (level <= lowest)
+      add(condition.where, who + ": the level " + number_text(level) + " m is below the surface, from about " +
+                               number_text(lowest) + " m up; it loads next to nothing");
+  }
+
+  void size() {
+    double longest = 0;
+    for (int i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax_element(model_.mesh.points.begin(), model_.mesh.points.end(),
+                                                   [i](const auto& a, const auto& b) { return a[i] < b[i]; });
+      if (low != model_.mesh.points.end()) longest = std::max(longest, (*high)[i] - (*low)[i]);
+    }
+    if (longest <= 20e3 && longest >= 5e-3) return;
+    const Where& where = model_.imports.empty() ? model_.where : model_.imports[0].where;
+    add(where, "the model is " + number_text(longest) + " m long; lengths are in m" +
+                   (model_.imports.empty() ? ", as in 60*m or 60000*mm"
+                                           : ": for a file in mm write unit = 1*mm in import_mesh"));
+  }
+
+  const Model& model_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> doubts(const Model& model) { return Doubts(model).all(); }
+
+}  // namespace ashlar
