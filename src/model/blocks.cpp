@@ -130,7 +130,8 @@ std::string why_apart(const Mesh& mesh, const std::vector<std::string>& regions)
         }
   }
   for (int i = 0; i < 3; ++i)
-    if (const double gap = std::max(low[0][i] - high[1][i], low[1][i] - high[0][i]); gap > 1e-9 * (high[0][i] - low[0][i]))
+    if (const double gap = std::max(low[0][i] - high[1][i], low[1][i] - high[0][i]);
+        gap > 1e-9 * (high[0][i] - low[0][i]))
       return "a gap of " + number_text(gap) + " m along " + "xyz"[i] + " lies between them; let them touch";
   return "their meshes must have the same corner nodes where they touch";
 }
@@ -143,8 +144,7 @@ void refuse_joints_without_faces(const Model& model, const std::vector<Interface
     const auto& declared = model.interfaces[i];
     if (count[i] || declared.crackable) continue;
     wrong.add(declared.where, kind_and_name(declared) + ": regions '" + declared.regions[0] + "' and '" +
-                                  declared.regions[1] +
-                                  "' share no face: " + why_apart(model.mesh, declared.regions));
+                                  declared.regions[1] + "' share no face: " + why_apart(model.mesh, declared.regions));
   }
   wrong.raise();
 }

@@ -94,7 +94,8 @@ class MeshCheck {
         if (std::abs(measures.volume) <= 1e-12 * std::pow(measures.longest_edge, 3)) return name(e) + ": has no volume";
         if (measures.volume < 0)
           return name(e) + ": is inside out (volume " + number_text(measures.volume) +
-                 " m^3): its corners must follow the VTK order, so are its lower and upper face exchanged, or two axes?";
+                 " m^3): its corners must follow the VTK order, so are its lower and upper face exchanged, or two "
+                 "axes?";
         return name(e) + ": is folded (Jacobian not positive at a " +
                (measures.smallest_gauss_jacobian > 0 ? "corner" : "Gauss point") +
                "); move its nodes or mesh the place finer";

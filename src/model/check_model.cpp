@@ -163,8 +163,9 @@ class ModelCheck {
       if (std::holds_alternative<DynamicSolve>(stage.solve)) motion(stage);
       if (const auto* fracture = std::get_if<FractureSolve>(&stage.solve)) {
         if (fracture->from == fracture->to)
-          complaints_.add(stage.where, who + ": 'from' and 'to' are both '" + fracture->to +
-                                           "', so no temperature changes; leave 'from' out to start at the reference temperature");
+          complaints_.add(stage.where,
+                          who + ": 'from' and 'to' are both '" + fracture->to +
+                              "', so no temperature changes; leave 'from' out to start at the reference temperature");
         for (const auto& name : std::set{fracture->from, fracture->to})
           if (!name.empty()) earlier_temperature(name, s, who);
       }

@@ -114,10 +114,9 @@ TEST(split_blocks, a_joint_without_common_faces_is_refused) {
     split(model);
     FAIL();
   } catch (const DeckError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "dam.lua:5: joint 'seam': regions 'a' and 'c' share no face: their meshes must have the same corner nodes "
-        "where they touch");
+    EXPECT_STREQ(error.what(),
+                 "dam.lua:5: joint 'seam': regions 'a' and 'c' share no face: a gap of 1 m along x lies between them; "
+                 "let them touch");
   }
 }
 

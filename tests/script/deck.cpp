@@ -75,7 +75,8 @@ TEST(Deck, AFunctionThatGivesNoNumberNamesThePoint) {
     return std::string();
   };
   EXPECT_EQ(message("return nil"),
-            "deck.lua:2: flux: 'value' at (1, 2, 3) is a nil; expected a heat flux, such as 20*W/m^2");
+            "deck.lua:2: flux: 'value' at (1, 2, 3) is nil, the value of what was not set or returned; "
+            "expected a heat flux, such as 20*W/m^2");
   EXPECT_EQ(message("return 0/0"), "deck.lua:2: flux: 'value' at (1, 2, 3) is not a finite number (nan)");
   EXPECT_EQ(message("return y + nothing"), "deck.lua:2: unknown name 'nothing'; declare it with 'local' before use");
   EXPECT_EQ(message("while true do end"), "deck.lua:2: still running after 5 million instructions: an endless loop?");
