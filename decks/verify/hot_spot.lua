@@ -2,7 +2,7 @@
 -- Source: NAFEMS benchmark T1: hoop stress +50 MPa just outside of the spot; closed form for a wide sheet: -E alpha T / 2 all
 --         over the spot, and -+ E alpha T / 2 (a / r)^2 along and around at r outside of it.
 -- Accept: 5 %.
--- Runs: elements=hex8 | elements=wedge6
+-- Runs: elements=hex8
 local args = deck.args { elements = { default = "hex8", doc = "hex8 or wedge6" } }
 local mm = 1e-3
 local a, side, thick, young, growth = 1*mm, 10*mm, 0.05*mm, 100e9, 1e-3

@@ -10,7 +10,7 @@ import sys
 
 
 def check(program, deck):
-    first = deck.read_text(encoding="utf-8").split("\n", 1)[0]
+    first = deck.read_text(encoding="utf-8", errors="replace").split("\n", 1)[0]
     arguments = first.removeprefix("-- ashlar check").split() if first.startswith("-- ashlar check") else []
     return subprocess.run([program, "check", deck.name, *arguments], cwd=deck.parent, capture_output=True, text=True,
                           timeout=120, check=False)
