@@ -153,7 +153,8 @@ def main():
         while time.monotonic() < end:
             if rng.random() < 0.5:
                 deck = rng.choice(decks)
-                (folder / "deck.lua").write_text(mutate_deck(deck.read_text(encoding="utf-8"), rng), encoding="utf-8")
+                (folder / "deck.lua").write_text(mutate_deck(deck.read_text(encoding="utf-8", errors="surrogateescape"), rng),
+                                           encoding="utf-8", errors="surrogateescape")
                 kept = [folder / "deck.lua"]
                 origin = deck.name
             else:
