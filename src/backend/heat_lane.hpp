@@ -48,6 +48,7 @@ class HeatLane {
              .heat = heat.data(),
              .inverse_capacity = inverse_capacity.data(),
              .held = held.data(),
+             .given_temperature = nullptr,  // named: nvcc 13 shifts the initialisers behind a member that is left out
              .flow = flow.data(),
              .corner = corner_.data(),
              .partial = partial_.data(),
