@@ -3,7 +3,7 @@
 --         over the spot, and -+ E alpha T / 2 (a / r)^2 along and around at r outside of it.
 -- Accept: 5 %.
 -- Runs: elements=hex8
-local args = deck.args { elements = { default = "hex8", doc = "hex8 or wedge6" } }
+local args = deck.args { elements = { default = "hex8", doc = "hex8, or wedge6, which misses one hoop stress by 6.3 %" } }
 local mm = 1e-3
 local a, side, thick, young, growth = 1*mm, 10*mm, 0.05*mm, 100e9, 1e-3
 

@@ -248,7 +248,7 @@ TEST_P(Parity, EveryNumberOfThreadsMovesByTheSameBits) {
     expect_same_bits(one, move(problem_, *make_cpu_backend(problem_.setup(), precision, threads), steps), "motion");
 }
 
-TEST_P(Parity, StepsInARowGiveTheBitsOfStepsOneByOne) {
+TEST_P(Parity, EveryNumberOfThreadsRelaxesByTheSameBits) {
   const auto precision = std::get<0>(GetParam());
   expect_same_bits(relax(problem_, *make_cpu_backend(problem_.setup(), precision, 2), steps),
                    relax(problem_, *make_cpu_backend(problem_.setup(), precision, 1), steps), "relaxation");
