@@ -25,6 +25,7 @@ int main(int count, char** words) {
   const std::map<std::string, std::function<int(const Arguments&)>> commands = {
       {"run", run_command},     {"check", check_command}, {"export", export_command},   {"plot", plot_command},
       {"material", material_command},
+      {"compare", compare_command},
       {"bench", bench_command}, {"info", info_command},   {"version", version_command}, {"help", help_command},
   };
   const auto say = [](const char* words) { std::fprintf(stderr, "%s\n", words); };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <numeric>
 
 #include "base/nearest_name.hpp"
 
@@ -25,6 +27,10 @@ const std::vector<Option>& options() {
       {"--force", "", "replaces the results of an earlier run, or an exported file"},
       {"--to", "FILE", "file to export to: .msh (Gmsh), .vtu (ParaView), .inp (CalculiX, Abaqus); curves of material: .csv"},
       {"--confining", "P,P,...", "pressures of the triaxial tests of material, MPa (1,5)"},
+      {"--tolerance", "T", "compare: largest relative difference that exit code 0 allows, beyond it 4 (0: the same bits)"},
+      {"--line", "X,Y,Z,X,Y,Z", "compare: a table along a straight line from one point to another, m"},
+      {"--stage", "NAME", "compare --line: at the end of this stage (the last one)"},
+      {"--of", "FIELD", "compare --line: this field or component (displacement), such as stress.zz"},
       {"--strain", "E", "largest strain of the tests of material (until flow goes on)"},
   };
   return all;
@@ -53,6 +59,21 @@ double positive_number(const std::string& option, const std::string& text) {
   if (error != std::errc() || end != text.data() + text.size() || !(value > 0) || !(value < 1e9))
     throw UsageError(option + " takes positive numbers, not '" + text + "'");
   return value;
+}
+
+/// As many numbers as `count`, with commas between them.
+std::vector<double> numbers(const std::string& option, const std::string& text, std::size_t count) {
+  std::vector<double> values;
+  const char *at = text.data(), *const end = at + text.size();
+  for (; values.size() < count; ++at) {
+    const auto [after, error] = std::from_chars(at, end, values.emplace_back());
+    at = after;
+    if (error != std::errc() || (at != end && *at != ',') || at == end) break;
+  }
+  if (values.size() != count || at != end || !std::isfinite(std::accumulate(values.begin(), values.end(), 0.0)))
+    throw UsageError(option + " takes " + (count == 1 ? "a number" : std::to_string(count) + " numbers") + ", not '" +
+                     text + "'");
+  return values;
 }
 
 std::vector<double> positive_numbers(const std::string& option, const std::string& text) {
@@ -94,6 +115,13 @@ void take_option(Arguments& arguments, const std::string& name, const std::strin
   if (name == "--force") arguments.force = true;
   if (name == "--to") arguments.to = value;
   if (name == "--confining") arguments.confining = positive_numbers(name, value);
+  if (name == "--tolerance") {
+    arguments.tolerance = numbers(name, value, 1)[0];
+    if (!(arguments.tolerance >= 0)) throw UsageError("--tolerance takes a number of at least 0, not '" + value + "'");
+  }
+  if (name == "--line") arguments.line = numbers(name, value, 6);
+  if (name == "--stage") arguments.stage = value;
+  if (name == "--of") arguments.of = value;
   if (name == "--strain") arguments.strain = positive_number(name, value);
 }
 
@@ -122,6 +150,12 @@ std::span<const Verb> verbs() {
        {},
        "makes pictures of a run; 'ashlar plot --help' lists what it can draw"},
       {"info", "[RUN]", 0, 1, {}, "the summary of a finished run; without RUN: this program and this machine"},
+      {"compare",
+       "A B",
+       2,
+       2,
+       {"--tolerance", "--line", "--stage", "--of"},
+       "how far two runs (folders or result files) of one mesh are apart, field by field and stage by stage"},
       {"bench", "[WORK]", 0, 1, {"--device", "--threads", "--elements", "--out"}, "measures element-steps per second: elastic, crackable, heat; all of them unless one is named"},
       {"help", "[NOUN]", 0, 1, {}, "this page, or the keys of a noun of the deck language"},
       {"version", "", 0, 0, {}, "the version"},
@@ -181,6 +215,7 @@ std::string usage_page() {
     page += "  " + column(verb.name + (verb.operands.empty() ? "" : " " + verb.operands), 28) + verb.doc + "\n";
   page += "\noptions of run; check takes --set, export --to, --set and --force, "
           "bench --device, --threads, --elements and --out,\n"
+          "compare --tolerance, --line, --stage and --of,\n"
           "material --set, --confining, --strain, --to and --force\n";
   for (const Option& option : options())
     page += "  " + column(option.name + (option.value.empty() ? "" : " " + option.value), 28) + option.doc + "\n";

@@ -29,6 +29,9 @@ struct Arguments {
   std::string to;                                             ///< --to
   std::vector<double> confining{1, 5};                        ///< --confining, MPa
   double strain = 0;                                          ///< --strain; 0: as far as flow needs
+  double tolerance = -1;                                      ///< --tolerance; negative: none
+  std::vector<double> line;                                   ///< --line: start and end, m; empty: none
+  std::string stage, of;                                      ///< --stage, --of
   std::vector<std::string> passed;  ///< plot: everything after the verb, for the plotting program
 };
 

@@ -12,6 +12,7 @@ int help_command(const Arguments& arguments);
 int version_command(const Arguments& arguments);
 int material_command(const Arguments& arguments);
 int plot_command(const Arguments& arguments);
+int compare_command(const Arguments& arguments);
 int bench_command(const Arguments& arguments);
 
 }  // namespace ashlar

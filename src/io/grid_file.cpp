@@ -26,12 +26,6 @@ std::string offsets_of(const GridArray& array) {
   return std::string("/VTKHDF/Steps/") + (array.on_points ? "PointDataOffsets/" : "CellDataOffsets/") + array.name;
 }
 
-std::string step_group(std::size_t step) {
-  char name[32];
-  std::snprintf(name, sizeof name, "/Steps/%05zu", step);
-  return name;
-}
-
 /// XDMF's code of a VTK cell type.
 int xdmf_code(int vtk_type) {
   switch (vtk_type) {
@@ -74,6 +68,18 @@ std::string escaped(const std::string& text) {
 }
 
 }  // namespace
+
+std::string step_group(std::size_t step) {
+  char name[32];
+  std::snprintf(name, sizeof name, "/Steps/%05zu", step + 1);
+  return name;
+}
+
+GridStep read_step(hdf5::File& file, std::size_t step) {
+  const std::string group = step_group(step);
+  return {file.number(group, "time"), file.text(group, "stage"), static_cast<int>(file.number(group, "stage_number")),
+          file.number(group, "load_factor"), file.number(group, "stage_end") != 0};
+}
 
 GridFile::GridFile(const std::string& folder, const std::string& name, const Grid& grid,
                    const std::vector<std::pair<std::string, std::string>>& attributes,
@@ -139,7 +145,7 @@ GridFile::GridFile(const std::string& folder, const std::string& name, const Gri
 
 void GridFile::append(const GridStep& step, const std::vector<const void*>& data) {
   if (data.size() != varying_.size()) throw std::logic_error("GridFile::append: one array of data for every array");
-  const std::string group = step_group(steps_.size() + 1);
+  const std::string group = step_group(steps_.size());
   file_.group(group);
   file_.attribute(group, "stage", step.stage);
   file_.attribute(group, "stage_number", std::int64_t{step.stage_number});
@@ -199,7 +205,7 @@ void GridFile::write_xdmf() const {
     text += "      <Grid Name=\"" + escaped(steps_[s].stage) + "\" GridType=\"Uniform\">\n        <Time Value=\"" +
             shortest(steps_[s].time) + "\"/>\n" + mesh;
     for (const auto& array : fixed_) text += xdmf_item(path_of(array), array);
-    for (const auto& array : varying_) text += xdmf_item(step_group(s + 1) + "/" + array.name, array);
+    for (const auto& array : varying_) text += xdmf_item(step_group(s) + "/" + array.name, array);
     text += "      </Grid>\n";
   }
   text += "    </Grid>\n  </Domain>\n</Xdmf>\n";

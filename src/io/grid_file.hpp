@@ -38,6 +38,10 @@ struct GridStep {
   bool stage_end = true;
 };
 
+/// Where output `step` (0-based) lies in a file, and when it was made.
+std::string step_group(std::size_t step);
+GridStep read_step(hdf5::File& file, std::size_t step);
+
 /// A grid with arrays over time: NAME.vtkhdf (HDF5 in VTKHDF layout 2.0, temporal unstructured grid) and NAME.xdmf
 /// beside it, which shows the same bytes to readers that know no VTKHDF, through virtual datasets /Steps/00001/ARRAY.
 /// Both are complete after every append. Every group /Steps/00001 carries the attributes of its GridStep. Throws

@@ -24,12 +24,16 @@ void be_quiet() {
   static_cast<void>(done);
 }
 
-Handle create_file(const std::string& path) {
+Handle open_file(const std::string& path, Mode mode) {
   be_quiet();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path, "prepare the file");
   H5Pset_file_locking(access, false, true);
   // Objects of the 1.8 format: superblock 2 has no "open for writing" mark that would lock readers out after a kill.
   H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST);
+  if (mode == Mode::read)
+    return Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, path, "read the file");
+  if (mode == Mode::change)
+    return Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose, path, "go on with the file");
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path, "prepare the file");
   H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   H5Pset_obj_track_times(creation, false);
@@ -69,7 +73,7 @@ Handle::~Handle() {
   if (id_ >= 0) close_(id_);
 }
 
-File::File(const std::string& path) : path_(path), file_(create_file(path)) {}
+File::File(const std::string& path, Mode mode) : path_(path), file_(open_file(path, mode)) {}
 
 void File::check(herr_t status, const std::string& what) {
   if (status < 0) fail(path_, what);
@@ -98,6 +102,68 @@ void File::group(const std::string& name) {
   H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   const Handle created(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose, path_,
                        "create group " + name);
+}
+
+bool File::has(const std::string& name) { return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0; }
+
+void File::remove(const std::string& name) { check(H5Ldelete(file_, name.c_str(), H5P_DEFAULT), "remove " + name); }
+
+std::vector<std::string> File::names(const std::string& group) {
+  std::vector<std::string> names;
+  const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* all) {
+    static_cast<std::vector<std::string>*>(all)->push_back(name);
+    return herr_t{0};
+  };
+  check(H5Literate(open(group), H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, keep, &names), "list " + group);
+  return names;
+}
+
+void File::cut(const std::string& name, hsize_t rows) {
+  const Handle dataset = open(name);
+  auto shape = shape_of(dataset);
+  shape[0] = rows;
+  check(H5Dset_extent(dataset, shape.data()), "cut " + name);
+}
+
+std::size_t File::size_of(const std::string& name) {
+  std::size_t size = 1;
+  for (const hsize_t n : shape(name)) size *= n;
+  return size;
+}
+
+void File::read_whole(const std::string& name, hid_t type, void* values) {
+  check(H5Dread(open(name), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "read " + name);
+}
+
+double File::number(const std::string& object, const std::string& attribute) {
+  const Handle owner = open(object);
+  const Handle found(H5Aopen(owner, attribute.c_str(), H5P_DEFAULT), H5Aclose, path_, "read " + attribute);
+  double value = 0;
+  check(H5Aread(found, H5T_NATIVE_DOUBLE, &value), "read " + attribute);
+  return value;
+}
+
+std::vector<std::string> File::texts(const std::string& object, const std::string& attribute) {
+  const Handle owner = open(object);
+  if (H5Aexists(owner, attribute.c_str()) <= 0) return {};
+  const Handle found(H5Aopen(owner, attribute.c_str(), H5P_DEFAULT), H5Aclose, path_, "read " + attribute);
+  const Handle type(H5Aget_type(found), H5Tclose, path_, "read " + attribute);
+  const Handle space(H5Aget_space(found), H5Sclose, path_, "read " + attribute);
+  const std::size_t length = H5Tget_size(type);
+  const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
+  std::string stored(length * count, '\0');
+  check(H5Aread(found, type, stored.data()), "read " + attribute);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string text = stored.substr(i * length, length);
+    texts.push_back(text.substr(0, text.find('\0')));
+  }
+  return texts;
+}
+
+std::string File::text(const std::string& object, const std::string& attribute) {
+  const auto all = texts(object, attribute);
+  return all.empty() ? "" : all[0];
 }
 
 void File::write_whole(const std::string& name, hid_t type, const void* values, const std::vector<hsize_t>& shape) {

@@ -48,14 +48,21 @@ inline hid_t type_of<std::uint8_t>() {
   return H5T_NATIVE_UINT8;
 }
 
-/// A file that is written from its beginning: no time stamps, no file locking, links in order of creation, so that the
-/// same data give the same bytes and a reader never stops the run.
+enum class Mode { create, change, read };
+
+/// A file: no time stamps, no file locking, links in order of creation, so that the same data give the same bytes and a
+/// reader never stops the run.
 class File {
  public:
-  explicit File(const std::string& path);
+  explicit File(const std::string& path, Mode mode = Mode::create);
 
   const std::string& path() const { return path_; }
   void group(const std::string& name);
+  bool has(const std::string& name);
+  /// Takes a group or dataset out; its room in the file is not given back.
+  void remove(const std::string& name);
+  /// Names of what a group holds, in order of creation.
+  std::vector<std::string> names(const std::string& group);
 
   /// Writes a whole dataset of `shape` (its product is the size of `values`).
   template <class T>
@@ -67,6 +74,19 @@ class File {
                    bool compressed);
   /// Adds `rows` rows and returns how many there were before.
   hsize_t append(const std::string& name, hid_t type, const void* values, hsize_t rows);
+  /// Cuts a dataset of rows down to its first `rows`.
+  void cut(const std::string& name, hsize_t rows);
+  std::vector<hsize_t> shape(const std::string& name) { return shape_of(open(name)); }
+  /// All values of a dataset, converted to T.
+  template <class T>
+  std::vector<T> read(const std::string& name) {
+    std::vector<T> values(size_of(name));
+    read_whole(name, type_of<T>(), values.data());
+    return values;
+  }
+  double number(const std::string& object, const std::string& attribute);
+  std::string text(const std::string& object, const std::string& attribute);  ///< "" if there is none
+  std::vector<std::string> texts(const std::string& object, const std::string& attribute);  ///< none: empty
   /// A dataset without data of its own: `rows` rows of `source` from `first_row` on.
   void link_rows(const std::string& name, const std::string& source, hid_t type, hsize_t first_row, hsize_t rows);
 
@@ -89,6 +109,8 @@ class File {
 
  private:
   Handle open(const std::string& name);
+  std::size_t size_of(const std::string& name);
+  void read_whole(const std::string& name, hid_t type, void* values);
   void write_whole(const std::string& name, hid_t type, const void* values, const std::vector<hsize_t>& shape);
   void write_attribute(const std::string& object, const std::string& name, hid_t type, const void* values,
                        std::size_t count);  ///< count 0: a scalar

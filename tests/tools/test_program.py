@@ -81,6 +81,27 @@ class Program(unittest.TestCase):
         self.assertEqual(self.ashlar("run", "bar.lua", "--force").returncode, 0)
         self.assertEqual(self.ashlar("run", "bar.lua", "--out", "other").returncode, 0)
 
+    def test_compare_says_by_its_exit_code_whether_two_runs_are_within_a_tolerance(self):
+        self.deck()
+        self.assertEqual(self.ashlar("run", "bar.lua").returncode, 0)
+        self.assertEqual(self.ashlar("run", "bar.lua", "--set", "load=1.01", "--out", "other").returncode, 4)
+        for tolerance, code in (("0.02", 0), ("0.005", 4)):
+            answer = self.ashlar("compare", "other", "bar.run", "--tolerance", tolerance, "--line", "0,0.5,0.5,4,0.5,0.5")
+            self.assertEqual(answer.returncode, code, answer.stdout + answer.stderr)
+        self.assertIn("displacement       max 1.00e-02", answer.stdout)
+        row = [line for line in answer.stdout.splitlines() if line.lstrip().startswith("4  (4, 0.5, 0.5)")][0].split()
+        self.assertAlmostEqual(float(row[-1]), 1, delta=1e-3)  # per cent
+        same = self.ashlar("compare", "bar.run", "bar.run/results.xdmf", "--tolerance", "0")
+        self.assertEqual(same.returncode, 0)
+        self.assertIn("same bits", same.stdout)
+        (self.folder / "short.lua").write_text(
+            (self.folder / "bar.lua").read_text(encoding="utf-8").replace("{4,1,1}", "{2,1,1}"), encoding="utf-8")
+        self.assertEqual(self.ashlar("run", "short.lua").returncode, 0)
+        refused = self.ashlar("compare", "short.run", "bar.run")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("the meshes differ", refused.stderr)
+        self.assertIn("2 and 4 elements", refused.stderr)
+
     def test_an_exported_mesh_gives_the_same_answer(self):
         self.deck()
         self.assertEqual(self.ashlar("run", "bar.lua").returncode, 0)
