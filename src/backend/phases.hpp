@@ -26,7 +26,7 @@
 /// Every phase once, for any machine. Exec brings memory and a parallel for:
 ///   template <class T> using Array: resize(n), upload(span), download(span), data()
 ///   void for_each(int n, kernel): kernel(i) for every i < n, in any order
-///   block_forces(...): the machine's fastest driver of the element routine (see cpu.cpp), same bits as BlockForce +
+///   block_forces(...): the machine's fastest driver of the element routine (see cpu_exec.hpp), same bits as BlockForce +
 ///   GatherPatch
 namespace ashlar {
 
@@ -160,7 +160,9 @@ class Phases final : public Backend {
              .warming = warming_.data(),
              .stress = stress_.data(),
              .history = history_.data(),
-             .history_stride = first_history_.back()};
+             .history_stride = first_history_.back(),
+             .corner_gradient = nullptr};
+    find_gradients();
   }
 
   std::string name() const override { return exec_.name() + (Summed<Real>::paired ? ", single precision" : ""); }
@@ -196,10 +198,12 @@ class Phases final : public Backend {
       case Phase::relaxation_sums: return sum_relaxation();
       case Phase::stiffness_bound: return stiffness_bound();
       case Phase::block_stress:
-        return each_batch([&](auto element, auto law, int b) { block_stress(element, law, b); });
+        return each_batch([&](auto element, const auto& law, int b) { gauss_stress<false>(element, law, b); });
       case Phase::spring_force: return spring_force();
       case Phase::advance_history:
-        return each_batch([&](auto element, auto law, int b) { advance_history(element, law, b); });
+        return each_batch([&](auto element, const auto& law, int b) {
+          if constexpr (std::decay_t<decltype(law)>::history_size > 0) gauss_stress<true>(element, law, b);
+        });
       case Phase::spring_utilisation:
         return exec_.for_each(contact_count(),
                               SpringUtilisation<Real>{springs_.view(), body_.u, springs_.utilisation.data()});
@@ -351,10 +355,16 @@ class Phases final : public Backend {
   }
   template <template <class> class E, class Point>
   void step_patches(ElementTag<E>, const Point& law, int b, const MoveNode<Real>& step) {
-    if (warm_)
-      exec_.template patches<E, true>(body_, batch_view(b), law, discretisation_, b, step);
-    else
-      exec_.template patches<E, false>(body_, batch_view(b), law, discretisation_, b, step);
+    with_warmth<Point>([&]<bool Warm>() {
+      exec_.template patches<E, Warm>(body_, batch_view(b), law, discretisation_, b, step);
+    });
+  }
+  /// Whether there is temperature as a constant, for laws that have a form without.
+  template <class Point, class Work>
+  void with_warmth(const Work& work) const {
+    if constexpr (!always_warm<Point>)
+      if (!warm_) return work.template operator()<false>();
+    work.template operator()<true>();
   }
 
   /// Calls work(element tag, prepared law, batch index) for every batch: the one place where shape and law become
@@ -374,33 +384,33 @@ class Phases final : public Backend {
   BatchView batch_view(int b) const {
     const Batch& batch = discretisation_.batches[b];
     return {batch.first_patch, discretisation_.patch_size, batch.element_count,
-            batch.first_slot,  batch.first_gauss,           first_history_[b]};
+            batch.first_slot,  batch.first_gauss,           first_history_[b], corner_count(batch.shape)};
   }
 
   template <template <class> class E, class Point>
   void block_force(ElementTag<E>, const Point& law, int b) {
-    if (warm_)
-      exec_.template block_forces<E, true>(body_, batch_view(b), law, discretisation_, b);
-    else
-      exec_.template block_forces<E, false>(body_, batch_view(b), law, discretisation_, b);
+    with_warmth<Point>([&]<bool Warm>() {
+      exec_.template block_forces<E, Warm>(body_, batch_view(b), law, discretisation_, b);
+    });
   }
-  template <template <class> class E, class Point>
-  void block_stress(ElementTag<E>, const Point& law, int b) {
+  template <bool moves_on, template <class> class E, class Point>
+  void gauss_stress(ElementTag<E>, const Point& law, int b) {
     const BatchView batch = batch_view(b);
-    if (warm_)
-      exec_.for_each(batch.element_count, BlockStress<E, Point, Real, true>{body_, batch, law});
-    else
-      exec_.for_each(batch.element_count, BlockStress<E, Point, Real, false>{body_, batch, law});
+    exec_.for_each(batch.element_count, GaussStrain<E, Real>{body_, batch});
+    exec_.for_each(batch.element_count * E<Real>::gauss_points, GaussStress<Point, Real, moves_on>{body_, batch, law});
   }
-  template <template <class> class E, class Point>
-  void advance_history(ElementTag<E>, const Point& law, int b) {
-    const BatchView batch = batch_view(b);
-    if constexpr (Point::history_size > 0) {
-      if (warm_)
-        exec_.for_each(batch.element_count, AdvanceHistory<E, Point, Real, true>{body_, batch, law});
-      else
-        exec_.for_each(batch.element_count, AdvanceHistory<E, Point, Real, false>{body_, batch, law});
-    }
+  /// Laws that are sized ask for them.
+  void find_gradients() {
+    each_batch([&]<template <class> class E>(ElementTag<E>, const auto& law, int b) {
+      if constexpr (std::decay_t<decltype(law)>::sized) {
+        if (!body_.corner_gradient) {
+          corner_gradient_.resize(3 * std::size_t(discretisation_.slot_count));
+          body_.corner_gradient = corner_gradient_.data();
+        }
+        const BatchView batch = batch_view(b);
+        exec_.for_each(batch.element_count, CornerGradient<E, Real>{body_, batch});
+      }
+    });
   }
   void gather_boundary(Real* sum) {
     exec_.for_each(discretisation_.blocks.boundary_count(), GatherBoundary<Real, 3>{body_.nodes, body_.partial, sum});
@@ -508,7 +518,7 @@ class Phases final : public Backend {
   std::map<Field, PartedField<Exec, Real>> parts_;
   SummedArray<Exec, Real> u_, u_before_;
   Array<Real> x_, v_, load_, force_, kept_force_, inverse_mass_, stiffness_, corner_force_, partial_,
-      warming_, stress_, history_;
+      warming_, stress_, history_, corner_gradient_;
   Array<std::uint8_t> fixed_;
   std::array<double, relaxation_sum_count> relaxation_sums_{};
   BodyView<Real> body_;

@@ -6,31 +6,57 @@
 /// matrix).
 namespace ashlar {
 
+/// Whether the element routine of a law has no form of its own for bodies without temperature, where warming is 0: laws
+/// with memory read so much that it does not count.
+template <class Point>
+inline constexpr bool always_warm = Point::history_size > 0;
+
+/// Length of an element across a plane, m, which laws that release energy on a crack ask for (crack band; Oliver 1989):
+/// 2 / sum over corners of |normal . gradient|.
+template <class Points>
+struct LengthAcross {
+  const Points& points;
+  template <class Real>
+  ASHLAR_HD Real operator()(int lane, const Vec3<Real>& normal) const {
+    return points.length(lane, normal);
+  }
+};
+
+/// Stress of a law with memory at Gauss point g; `strain` comes with heat. The history is what the point would
+/// remember from now on.
+template <class V, class Point, class Points>
+ASHLAR_HD_HOST_CALL Sym3<V> remembered_stress(const Point& law, const Points& points, int g, const Sym3<V>& strain,
+                                              typename Point::template History<V>& history) {
+  points.read_history(g, history);
+  const Sym3<V> e = law.elastic().without_heat(strain, points.warming(g));
+  if constexpr (Point::sized)
+    return law.stress(e, history, LengthAcross<Points>{points});
+  else
+    return law.stress(e, history);
+}
+
 /// The law at the Gauss points of one element, as the element routine calls it. `points` knows the state of Gauss point
-/// g: warming(g), asked for where Warm, and read_history(g, history), where the law remembers.
+/// g: warming(g), asked for where Warm, read_history(g, history), where the law remembers, and length(lane, normal),
+/// where it is sized.
 template <class Element, bool Warm, class V, class Point, class Points>
 struct PointStress {
   const Point& law;
   const Points& points;
-  V warming[Warm ? Element::gauss_points : 1];
+  static constexpr bool staged = Warm && Point::history_size == 0;
+  V warming[staged ? Element::gauss_points : 1];
 
   ASHLAR_HD PointStress(const Point& l, const Points& p) : law(l), points(p) {
-    if constexpr (Warm)
+    if constexpr (staged)
       for (int g = 0; g < Element::gauss_points; ++g) warming[g] = p.warming(g);
   }
-  ASHLAR_HD Sym3<V> without_heat(int g, const Sym3<V>& strain) const {
-    if constexpr (Warm)
-      return law.elastic().without_heat(strain, warming[g]);
-    else
-      return strain;
-  }
   ASHLAR_HD Sym3<V> operator()(int g, const Sym3<V>& strain) const {
-    if constexpr (Point::history_size == 0) {
-      return law.stress(without_heat(g, strain));
-    } else {
+    if constexpr (Point::history_size > 0) {
       typename Point::template History<V> history;
-      points.read_history(g, history);
-      return law.stress(without_heat(g, strain), history);
+      return remembered_stress(law, points, g, strain, history);
+    } else if constexpr (staged) {
+      return law.stress(law.without_heat(strain, warming[g]));
+    } else {
+      return law.stress(strain);
     }
   }
 };
@@ -44,12 +70,24 @@ ASHLAR_HD void element_force(const Point& law, const V (&x)[3][Element<V>::corne
   Element<V>::force(x, u, f, stress);
 }
 
+template <class Real>
+ASHLAR_HD Real length_across(const BodyView<Real>& body, const BatchView& batch, int element, const Vec3<Real>& normal) {
+  Real sum = 0;
+  for (int k = 0; k < batch.corners; ++k) {
+    const Real* gradient = body.corner_gradient + 3 * batch.slot(element, batch.corners, k);
+    const Real along = fma(normal.z, gradient[2], fma(normal.y, gradient[1], normal.x * gradient[0]));
+    sum += along < Real(0) ? -along : along;
+  }
+  return Real(2) / sum;
+}
+
 /// The Gauss points of one element in memory.
 template <class Real>
 struct StoredPoints {
   const BodyView<Real>& body;
   const BatchView& batch;
   int element;
+  ASHLAR_HD Real length(int, const Vec3<Real>& normal) const { return length_across(body, batch, element, normal); }
   ASHLAR_HD Real warming(int g) const { return body.warming[batch.gauss(element, g)]; }
   template <class History>
   ASHLAR_HD void read_history(int g, History& h) const {
@@ -98,24 +136,19 @@ struct BlockForce {
   }
 };
 
-/// One element -> stress at its Gauss points, for output and for laws' checks at converged states.
-template <template <class> class Element, class Point, class Real, bool Warm>
-struct BlockStress {
+/// One element -> strain at its Gauss points, where their stress will be.
+template <template <class> class Element, class Real>
+struct GaussStrain {
   BodyView<Real> body;
   BatchView batch;
-  Point law;
 
-  /// Evaluates the same law as the force routine and keeps what it returned.
-  template <class Stress>
   struct Keeper {
-    Stress& stress;
     Real* out;
     BatchView batch;
     int element;
     ASHLAR_HD Sym3<Real> operator()(int g, const Sym3<Real>& strain) const {
-      const Sym3<Real> s = stress(g, strain);
-      for (int c = 0; c < 6; ++c) out[6 * batch.gauss(element, g) + c] = s[c];
-      return s;
+      for (int c = 0; c < 6; ++c) out[6 * batch.gauss(element, g) + c] = strain[c];
+      return {};
     }
   };
 
@@ -123,40 +156,57 @@ struct BlockStress {
     constexpr int corners = Element<Real>::corners;
     Real x[3][corners], u[3][corners], f[3][corners];
     read_corners(body, batch, i, x, u);
-    const StoredPoints<Real> points{body, batch, i};
-    PointStress<Element<Real>, Warm, Real, Point, StoredPoints<Real>> stress(law, points);
-    Keeper<decltype(stress)> keeper{stress, body.stress, batch, i};
+    const Keeper keeper{body.stress, batch, i};
     Element<Real>::force(x, u, f, keeper);
   }
 };
 
-/// One element -> the history of its Gauss points moved on to the present displacement.
-template <template <class> class Element, class Point, class Real, bool Warm>
-struct AdvanceHistory {
+/// One Gauss point -> its stress in place of its strain, by the law that the force routine takes. `moves_on`: the point
+/// remembers what it went through.
+template <class Point, class Real, bool moves_on>
+struct GaussStress {
   BodyView<Real> body;
   BatchView batch;
   Point law;
 
-  template <class Stress>
-  struct Mover {
-    const Stress& stress;
-    ASHLAR_HD Sym3<Real> operator()(int g, const Sym3<Real>& strain) const {
+  ASHLAR_HD void operator()(int i) const {
+    const int element = i % batch.element_count, g = i / batch.element_count;
+    Real* const at = body.stress + 6 * batch.gauss(element, g);
+    const StoredPoints<Real> points{body, batch, element};
+    Sym3<Real> s;
+    for (int c = 0; c < 6; ++c) s[c] = at[c];
+    if constexpr (Point::history_size > 0) {
       typename Point::template History<Real> history;
-      stress.points.read_history(g, history);
-      const Sym3<Real> s = stress.law.stress(stress.without_heat(g, strain), history);
-      stress.points.write_history(g, history);
-      return s;
+      s = remembered_stress(law, points, g, s, history);
+      if constexpr (moves_on) points.write_history(g, history);
+    } else {
+      s = law.stress(law.without_heat(s, points.warming(g)));
     }
+    for (int c = 0; c < 6; ++c) at[c] = s[c];
+  }
+};
+
+/// One element -> mean gradients of its shape functions, 1/m, in its corner slots: the corner forces of unit pressure
+/// over the volume.
+template <template <class> class Element, class Real>
+struct CornerGradient {
+  BodyView<Real> body;
+  BatchView batch;
+
+  struct UnitPressure {
+    ASHLAR_HD Sym3<Real> operator()(int, const Sym3<Real>&) const { return {1, 1, 1, 0, 0, 0}; }
   };
 
   ASHLAR_HD void operator()(int i) const {
     constexpr int corners = Element<Real>::corners;
-    Real x[3][corners], u[3][corners], f[3][corners];
+    Real x[3][corners], u[3][corners], f[3][corners], volume = 0;
     read_corners(body, batch, i, x, u);
-    const StoredPoints<Real> points{body, batch, i};
-    const PointStress<Element<Real>, Warm, Real, Point, StoredPoints<Real>> stress(law, points);
-    Mover<PointStress<Element<Real>, Warm, Real, Point, StoredPoints<Real>>> mover{stress};
-    Element<Real>::force(x, u, f, mover);
+    const UnitPressure pressure;
+    Element<Real>::force(x, u, f, pressure);
+    for (int k = 0; k < corners; ++k)
+      for (int c = 0; c < 3; ++c) volume = fma(x[c][k] - x[c][0], f[c][k] * Real(1.0 / 3), volume);
+    for (int k = 0; k < corners; ++k)
+      for (int c = 0; c < 3; ++c) body.corner_gradient[3 * batch.slot(i, corners, k) + c] = f[c][k] / volume;
   }
 };
 

@@ -41,6 +41,7 @@ struct BatchView {
   int element_count = 0;
   int first_slot = 0, first_gauss = 0;
   int first_history = 0;  ///< of the Gauss points that remember, its first
+  int corners = 0;        ///< of an element
   /// First of its patch's entries, for the batch's element i.
   ASHLAR_HD int first_entry(const NodeSetView& nodes, int i) const {
     return nodes.patch_first_entry[first_patch + i / patch_size];
@@ -69,6 +70,7 @@ struct BodyView {
   Real* stress = nullptr;               ///< [6 * Gauss points] Pa, xx yy zz xy yz zx
   Real* history = nullptr;              ///< [numbers a point remembers][Gauss points that remember]
   int history_stride = 0;               ///< Gauss points that remember
+  Real* corner_gradient = nullptr;      ///< [3 * slots] 1/m, mean over the element; null: no law asks for it
 };
 
 }  // namespace ashlar

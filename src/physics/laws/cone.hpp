@@ -10,6 +10,7 @@ namespace ashlar {
 template <class Real>
 struct ConePoint {
   static constexpr int history_size = PlasticHistory<Real>::size;
+  static constexpr bool sized = false;
   Elastic::Point<Real> part;
   Real slope, dilation;
   Real strength, hardening, residual;  ///< Pa; hardening per engineering shear strain of flow

@@ -35,6 +35,7 @@ struct Elastic {
   template <class Real>
   struct Point {
     static constexpr int history_size = 0;  ///< numbers that a point remembers
+    static constexpr bool sized = false;    ///< stress depends on the size of the element
     Real lambda, shear, expansion;
     ASHLAR_HD const Point& elastic() const { return *this; }
     /// Strain less that of warming = T - T_reference, K.

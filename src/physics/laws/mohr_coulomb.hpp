@@ -11,6 +11,7 @@ namespace ashlar {
 template <class Real>
 struct PyramidPoint {
   static constexpr int history_size = PlasticHistory<Real>::size;
+  static constexpr bool sized = false;
   Elastic::Point<Real> part;
   Real sine, dilation, strength;   ///< sin phi, sin psi, 2 c cos phi
   Real tension;                    ///< T, at most c / tan(phi)
