@@ -1,6 +1,6 @@
 #include "backend/device.hpp"
-#include "backend/phases.hpp"
-#include "cuda_exec.hpp"
+#include "cuda_check.hpp"
+#include "cuda_phases.hpp"
 
 namespace ashlar {
 
@@ -25,9 +25,8 @@ CudaSupport cuda_support() {
 }
 
 std::unique_ptr<Backend> make_cuda_backend(const Setup& setup, Precision precision, int device) {
-  if (precision == Precision::single_precision)
-    return std::make_unique<Phases<CudaExec, float>>(setup, CudaExec(device));
-  return std::make_unique<Phases<CudaExec, double>>(setup, CudaExec(device));
+  return precision == Precision::single_precision ? cuda_phases<float>(setup, device)
+                                                  : cuda_phases<double>(setup, device);
 }
 
 }  // namespace ashlar

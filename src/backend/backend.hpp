@@ -198,6 +198,8 @@ class Backend {
   virtual void read(Field field, std::span<double> values) = 0;
   /// Whether stress takes account of Field::warming. Off until a stage has a temperature.
   virtual void use_warming(bool on) = 0;
+  /// Divides the strength of every law and interface, as it was at set-up, by `factor`.
+  virtual void weaken(double factor) = 0;
 
   std::vector<double> read(Field field) {
     std::vector<double> values(size(field));

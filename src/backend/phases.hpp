@@ -10,6 +10,7 @@
 #include "backend/backend.hpp"
 #include "backend/balance_lane.hpp"
 #include "backend/heat_lane.hpp"
+#include "backend/machine_memory.hpp"
 #include "backend/motion_lane.hpp"
 #include "backend/node_set.hpp"
 #include "backend/parted_field.hpp"
@@ -76,6 +77,7 @@ class Springs {
     shear_stiffness_.assign(shear_stiffness);
     interface_.assign(c.interface);
     laws_.assign(laws);
+    full_laws_ = setup.interface_laws;
     node_.assign(nodes);
     node_first_.assign(first);
     node_contact_.assign(contact);
@@ -102,6 +104,11 @@ class Springs {
              .node_contact = node_contact_.data()};
   }
   const SpringView<Real>& view() const { return view_; }
+  void weaken(double factor) {
+    std::vector<SpringLaw<Real>> laws;
+    for (const auto& law : full_laws_) laws.push_back(law.weakened(factor).template as<Real>());
+    laws_.upload(laws);
+  }
 
  private:
   template <class T>
@@ -109,6 +116,7 @@ class Springs {
   Array<int> node_a_, node_b_, interface_, node_, node_first_, node_contact_;
   Array<Real> normal_, initial_gap_, area_, normal_stiffness_, shear_stiffness_, force_;
   Array<SpringLaw<Real>> laws_;
+  std::vector<SpringLaw<double>> full_laws_;
   SpringView<Real> view_;
 
  public:
@@ -122,6 +130,7 @@ class Phases final : public Backend {
   Phases(const Setup& setup, Exec exec)
       : exec_(std::move(exec)),
         discretisation_(setup.discretisation),
+        full_laws_(setup.laws),
         laws_(setup.laws),
         bbar_(setup.bbar),
         first_history_(setup.first_history()),
@@ -168,6 +177,12 @@ class Phases final : public Backend {
   std::string name() const override { return exec_.name() + (Summed<Real>::paired ? ", single precision" : ""); }
   double rounding() const override { return std::numeric_limits<Real>::epsilon(); }
   void use_warming(bool on) override { warm_ = on; }
+  void weaken(double factor) override {
+    laws_.clear();
+    for (const BlockLaw& law : full_laws_) laws_.push_back(weakened(law, factor));
+    springs_.weaken(factor);
+    ++MachineMemory::changes;  // launches that a machine has recorded carry the laws
+  }
   void finish() override { exec_.finish(); }
   double copy_bandwidth() override {
     using Clock = std::chrono::steady_clock;
@@ -504,7 +519,7 @@ class Phases final : public Backend {
 
   Exec exec_;
   const Discretisation& discretisation_;
-  std::vector<BlockLaw> laws_;
+  std::vector<BlockLaw> full_laws_, laws_;
   std::vector<char> bbar_;
   std::vector<int> first_history_;
   NodeSet<Exec> blocks_;

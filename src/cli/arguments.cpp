@@ -31,6 +31,7 @@ const std::vector<Option>& options() {
       {"--line", "X,Y,Z,X,Y,Z", "compare: a table along a straight line from one point to another, m"},
       {"--stage", "NAME", "compare --line: at the end of this stage (the last one)"},
       {"--of", "FIELD", "compare --line: this field or component (displacement), such as stress.zz"},
+      {"--size", "M", "length of the block in the tests of material, m; what laws that crack depend on (0.5)"},
       {"--strain", "E", "largest strain of the tests of material (until flow goes on)"},
   };
   return all;
@@ -122,6 +123,7 @@ void take_option(Arguments& arguments, const std::string& name, const std::strin
   if (name == "--line") arguments.line = numbers(name, value, 6);
   if (name == "--stage") arguments.stage = value;
   if (name == "--of") arguments.of = value;
+  if (name == "--size") arguments.size = positive_number(name, value);
   if (name == "--strain") arguments.strain = positive_number(name, value);
 }
 
@@ -141,7 +143,7 @@ std::span<const Verb> verbs() {
        "DECK NAME",
        2,
        2,
-       {"--set", "--confining", "--strain", "--to", "--force"},
+       {"--set", "--confining", "--size", "--strain", "--to", "--force"},
        "drives one point of a material through the tests of a laboratory and shows the curves"},
       {"plot",
        "RUN [--of FIELD ...]",
@@ -216,7 +218,7 @@ std::string usage_page() {
   page += "\noptions of run; check takes --set, export --to, --set and --force, "
           "bench --device, --threads, --elements and --out,\n"
           "compare --tolerance, --line, --stage and --of,\n"
-          "material --set, --confining, --strain, --to and --force\n";
+          "material --set, --confining, --size, --strain, --to and --force\n";
   for (const Option& option : options())
     page += "  " + column(option.name + (option.value.empty() ? "" : " " + option.value), 28) + option.doc + "\n";
   page +=

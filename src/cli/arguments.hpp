@@ -28,6 +28,7 @@ struct Arguments {
   bool force = false;                                         ///< --force
   std::string to;                                             ///< --to
   std::vector<double> confining{1, 5};                        ///< --confining, MPa
+  double size = 0.5;                                          ///< --size, m
   double strain = 0;                                          ///< --strain; 0: as far as flow needs
   double tolerance = -1;                                      ///< --tolerance; negative: none
   std::vector<double> line;                                   ///< --line: start and end, m; empty: none

@@ -139,6 +139,8 @@ std::string solve_words(const Stage& stage) {
   if (const auto* t = std::get_if<ThermalSolve>(&stage.solve))
     return t->steady ? std::string("thermal, steady") : text("thermal, %.6g days", t->duration / 86400);
   if (const auto* d = std::get_if<DynamicSolve>(&stage.solve)) return text("dynamic, %.6g s", d->duration);
+  if (const auto* r = std::get_if<StrengthReduction>(&stage.solve))
+    return text("strength reduction, a factor between %g and %g to within %g", r->low, r->high, r->width);
   const auto& f = std::get<FractureSolve>(stage.solve);
   return text("fracture, from %s to %s in %d increments, to a ratio of %g",
               f.from.empty() ? "the reference temperature" : f.from.c_str(), f.to.c_str(), f.increments,

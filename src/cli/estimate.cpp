@@ -39,6 +39,7 @@ double elements_across(const Mesh& mesh) {
 const Relaxation* relaxation_of(const Stage& stage) {
   if (const auto* s = std::get_if<StaticSolve>(&stage.solve)) return &s->relaxation;
   if (const auto* f = std::get_if<FractureSolve>(&stage.solve)) return &f->relaxation;
+  if (const auto* r = std::get_if<StrengthReduction>(&stage.solve)) return &r->relaxation;
   return nullptr;
 }
 

@@ -36,6 +36,9 @@ void describe_stage(Page& page, int number, const StageResult& stage) {
                           stage.stop_reason.c_str(), counted(stage.steps, "step").c_str(), stage.ratio,
                           duration_text(stage.wall_seconds).c_str()));
   if (stage.initial) describe_initial(page, *stage.initial);
+  if (stage.safety_factor > 0)
+    page.line("stage", text("  safety factor %.4g: stands at %.4g", stage.safety_factor, stage.safety_factor) +
+                           (stage.falling_factor > 0 ? text(", falls at %.4g", stage.falling_factor) : ""));
   if (stage.load_factor < 1) page.line("stage", text("  stopped at load factor %.4f", stage.load_factor));
 }
 
@@ -103,6 +106,9 @@ std::string summary(const Model& model, const RunResult& result, const RunFacts&
   for (const StageResult& stage : result.stages)
     if (stage.plastic_work > 0)
       page.line("flow", text("%s: plastic flow dissipated %.4g J", stage.name.c_str(), stage.plastic_work));
+  for (const StageResult& stage : result.stages)
+    if (stage.fracture_work > 0)
+      page.line("cracks", text("%s: cracking blocks released %.4g J", stage.name.c_str(), stage.fracture_work));
   page.line("time", duration_text(facts.wall_seconds) + " in all");
   describe_phases(page, result);
   page.line("memory", text("%.0f MB at most", peak_memory() / 1e6));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 #include "physics/laws/laws.hpp"
@@ -31,6 +32,8 @@ const std::vector<Field> result_fields{
      {"principal_stress", false, 3, Type::real, "Pa", {"largest", "middle", "smallest"}},
      &Snapshot::principal_stress},
     {"plastic_strain", {"plastic_strain", false, 1, Type::real, ""}, &Snapshot::plastic_strain},
+    {"damage", {"damage", false, 1, Type::real, ""}, &Snapshot::damage},
+    {"crack_normal", {"crack_normal", false, 3, Type::real, "", {"x", "y", "z"}}, &Snapshot::crack_normal},
 };
 const std::vector<Field> interface_fields{
     {"displacement", {"displacement", true, 3, Type::real, "m", {"x", "y", "z"}}, &Snapshot::displacement},
@@ -156,18 +159,22 @@ class Values {
 
 const std::vector<std::string>& recordable_names() {
   static const std::vector<std::string> names{"displacement",   "temperature", "stress", "principal_stress",
-                                              "plastic_strain", "opening",     "slip",   "traction",
-                                              "broken"};
+                                              "plastic_strain", "damage",      "crack_normal", "opening",
+                                              "slip",           "traction",    "broken"};
   return names;
 }
 
 std::vector<std::string> recorded_names(const Model& model) {
   std::vector<std::string> names;
   if (model.outputs.empty()) {
-    bool plastic = false;
-    for (const auto& material : model.materials) plastic = plastic || is_plastic(material.law);
+    std::map<std::string, bool> some{{"plastic_strain", false}, {"damage", false}, {"crack_normal", false}};
+    for (const auto& material : model.materials) {
+      some["plastic_strain"] |= is_plastic(material.law);
+      some["damage"] |= measure(material.law) == Measure::damage;
+      some["crack_normal"] |= has_crack_plane(material.law);
+    }
     for (const auto& name : recordable_names())
-      if (plastic || name != "plastic_strain") names.push_back(name);
+      if (!some.contains(name) || some[name]) names.push_back(name);
   }
   for (const auto& output : model.outputs)
     for (const auto& name : output.record) {

@@ -109,6 +109,9 @@ Json described(const StageResult& stage) {
   json["free_blocks"] = stage.free_blocks;
   json["dissipated_energy"] = stage.dissipated_energy;
   json["plastic_work"] = stage.plastic_work;
+  json["fracture_work"] = stage.fracture_work;
+  if (stage.safety_factor > 0) json["safety_factor"] = stage.safety_factor;
+  if (stage.falling_factor > 0) json["falling_factor"] = stage.falling_factor;
   if (stage.time_step > 0) {
     json["time_step"] = stage.time_step;
     json["stable_step"] = stage.stable_step;

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <cstdio>
+#include <map>
 #include <set>
 
 #include "base/nearest_name.hpp"
 #include "model/conditions.hpp"
+#include "model/element_measures.hpp"
 #include "model/in_time.hpp"
 #include "model/initial_stress.hpp"
 #include "model/loads.hpp"
@@ -46,6 +49,7 @@ class ModelCheck {
     // What follows needs every name to be right.
     idle_conditions();
     functions();
+    block_lengths();
     levels_in_motion();
     supports();
     complaints_.raise();
@@ -80,6 +84,32 @@ class ModelCheck {
       if (!owner.contains(name))
         complaints_.add(declared(name), "region '" + name + "' has no material; write material \"...\" { region = \"" +
                                             name + "\", ... }");
+  }
+
+  /// Blocks that would snap back as they crack.
+  void block_lengths() {
+    std::map<const Material*, int> longest;
+    const auto material_of = materials_by_region(model_);
+    const auto across = [&](int e) {
+      const Vec3<double> lengths = lengths_across(model_.mesh, e);
+      return std::max({lengths.x, lengths.y, lengths.z});
+    };
+    for (int e = 0; e < model_.mesh.element_count(); ++e) {
+      const Material* material = material_of[model_.mesh.regions[e]];
+      if (measure(material->law) != Measure::damage) continue;
+      const auto [at, fresh] = longest.emplace(material, e);
+      if (!fresh && across(e) > across(at->second)) at->second = e;
+    }
+    for (const auto& [material, e] : longest) {
+      const double most = largest_length(make_block_law(material->law, material->values));
+      if (across(e) <= most) continue;
+      char sizes[120];
+      std::snprintf(sizes, sizeof sizes, "up to %.4g m long, and above %.4g m", across(e), most);
+      complaints_.add(material->where, title("material", material->name) + ": its elements are " + sizes +
+                                           " they would snap back as they crack: refine the mesh, or give a higher "
+                                           "fracture energy; the longest is at " +
+                                           place_text(model_.mesh.centroid(e)));
+    }
   }
 
   Where declared(const std::string& region) const {
@@ -132,9 +162,19 @@ class ModelCheck {
   /// The energy balance of a motion takes blocks for elastic.
   void motion(const Stage& stage) {
     for (const auto& material : model_.materials)
-      if (is_plastic(material.law))
+      if (measure(material.law) != Measure::none)
         complaints_.add(stage.where, title("stage", stage.name) + ": dynamic stages take elastic materials only, and " +
                                          title("material", material.name) + " is " + material.law);
+  }
+
+  /// Something must be able to fail.
+  void strength_reduction(const Stage& stage) {
+    for (const auto& material : model_.materials)
+      if (measure(material.law) != Measure::none) return;
+    for (const auto& i : model_.interfaces)
+      if (i.law != "elastic") return;
+    complaints_.add(stage.where, title("stage", stage.name) + ": there is no strength to reduce: all materials and "
+                                                              "interfaces are elastic");
   }
 
   void stages() {
@@ -161,6 +201,7 @@ class ModelCheck {
       }
       if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve)) thermal_stage(stage, *thermal);
       if (std::holds_alternative<DynamicSolve>(stage.solve)) motion(stage);
+      if (std::holds_alternative<StrengthReduction>(stage.solve)) strength_reduction(stage);
       if (const auto* fracture = std::get_if<FractureSolve>(&stage.solve)) {
         if (fracture->from == fracture->to)
           complaints_.add(stage.where,

@@ -60,7 +60,34 @@ void measure_corners(const Mesh& mesh, int e, ElementMeasures& measures) {
   }
 }
 
+/// 2 / sum over corners of |mean gradient|, by the corner forces of unit pressure.
+template <class Element>
+Vec3<double> lengths(const Mesh& mesh, int e) {
+  double points[3][Element::corners], u[3][Element::corners] = {}, gradient[3][Element::corners];
+  for (int k = 0; k < Element::corners; ++k)
+    for (int a = 0; a < 3; ++a) points[a][k] = mesh.points[mesh.element(e)[k]][a];
+  const auto unit_pressure = [](int, const Sym3<double>&) { return Sym3<double>{1, 1, 1, 0, 0, 0}; };
+  Element::force(points, u, gradient, unit_pressure);
+  double volume = 0;
+  Vec3<double> sum;
+  for (int k = 0; k < Element::corners; ++k)
+    for (int a = 0; a < 3; ++a) {
+      volume += points[a][k] * gradient[a][k] / 3;
+      sum[a] += std::abs(gradient[a][k]);
+    }
+  return {2 * volume / sum.x, 2 * volume / sum.y, 2 * volume / sum.z};
+}
+
 }  // namespace
+
+Vec3<double> lengths_across(const Mesh& mesh, int element) {
+  switch (mesh.shapes[element]) {
+    case Shape::hex8: return lengths<Hex8<double>>(mesh, element);
+    case Shape::wedge6: return lengths<Wedge6<double>>(mesh, element);
+    case Shape::tet4: break;
+  }
+  return lengths<Tet4<double>>(mesh, element);
+}
 
 double ElementMeasures::scaled_jacobian(Shape shape) const {
   switch (shape) {

@@ -16,4 +16,7 @@ struct ElementMeasures {
 };
 ElementMeasures measure_element(const Mesh& mesh, int element);
 
+/// Length of the element across cracks normal to x, y and z, m: what laws release the energy of a crack over.
+Vec3<double> lengths_across(const Mesh& mesh, int element);
+
 }  // namespace ashlar

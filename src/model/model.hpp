@@ -193,7 +193,7 @@ struct Relaxation {
 };
 struct StaticSolve {
   Relaxation relaxation;
-  int increments = 0;                         ///< of what is out of balance at the start; 0: 1, or 20 with plastic materials
+  int increments = 0;                         ///< of what is out of balance at the start; 0: 1, or 20 with materials that remember
 };
 struct ThermalSolve {
   bool steady = false;
@@ -209,6 +209,13 @@ struct FractureSolve {
   long max_events = 100000;
 };
 
+/// The factor by which all strength can be divided before no equilibrium is found any more, by halving the interval.
+struct StrengthReduction {
+  double low = 1, high = 4;
+  double width = 0.01;                        ///< of the interval at the end
+  Relaxation relaxation;
+};
+
 /// Motion in time with the real mass, from rest or from the end of a dynamic stage before.
 struct DynamicSolve {
   double duration = 0;                        ///< s
@@ -221,7 +228,7 @@ struct DynamicSolve {
 };
 
 /// How a stage is solved.
-using Solve = std::variant<StaticSolve, ThermalSolve, FractureSolve, DynamicSolve>;
+using Solve = std::variant<StaticSolve, ThermalSolve, FractureSolve, DynamicSolve, StrengthReduction>;
 
 struct Stage {
   std::string name;

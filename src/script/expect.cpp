@@ -74,6 +74,9 @@ int stage(lua_State* L) {
   number("cracked_area", s.cracked_area);
   number("dissipated_energy", s.dissipated_energy);
   number("plastic_work", s.plastic_work);
+  number("fracture_work", s.fracture_work);
+  number("safety_factor", s.safety_factor);
+  number("falling_factor", s.falling_factor);
   number("free_blocks", static_cast<double>(s.free_blocks.size()));
   number("time_step", s.time_step);
   number("stable_step", s.stable_step);

@@ -243,6 +243,20 @@ Relaxation relaxation(const Fields& f) {
           f.text("start") == "search"};
 }
 
+void add_strength_reduction(const Call& c) {
+  const Fields& f = c.fields;
+  StrengthReduction s;
+  if (f.has("between")) {
+    s.low = f.quantity("between", 0).value;
+    s.high = f.quantity("between", 1).value;
+    if (!(s.low > 0) || !(s.low < s.high))
+      c.complain("between", "'between' is { lowest, highest } factor, such as { 1, 3 }; the lowest is above 0");
+  }
+  s.width = f.number("width");
+  s.relaxation = relaxation(f);
+  c.solves.emplace_back(s);
+}
+
 int add_solve(const Call& c) {
   const Fields& f = c.fields;
   if (c.noun.name == "dynamic") {
@@ -261,6 +275,8 @@ int add_solve(const Call& c) {
     if (c.noun.name == "fracture")
       c.solves.emplace_back(FractureSolve{f.text("from"), f.text("to"), f.integer("increments"), relaxation(f),
                                           static_cast<long>(f.number("max_events"))});
+    else if (c.noun.name == "strength_reduction")
+      add_strength_reduction(c);
     else
       c.solves.emplace_back(StaticSolve{relaxation(f), static_cast<int>(f.maybe("increments").value_or(0))});
   }
@@ -285,7 +301,12 @@ int add_history(const Call& c) {
   const Fields& f = c.fields;
   History history{c.name, f.where, {}, f.text("surface"), f.texts("record")};
   const bool placed = f.has("at") || f.has("surface");
-  if ((placed || history.record != std::vector<std::string>{"energy"}) && !c.one_of({"at", "surface"})) return 0;
+  const auto of_model = [](const std::string& name) {
+    return std::any_of(recorded().begin(), recorded().end(),
+                       [&](const Recorded& r) { return r.of_model && r.name == name; });
+  };
+  const bool whole = std::all_of(history.record.begin(), history.record.end(), of_model);
+  if ((placed || !whole) && !c.one_of({"at", "surface"})) return 0;
   if (f.has("at")) history.at = f.vector("at");
   std::vector<std::string> valid;
   for (const auto& r : recorded())

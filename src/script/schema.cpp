@@ -84,7 +84,7 @@ std::vector<std::string> recorded_names(bool Recorded::*where) {
 }
 std::vector<std::string> pictured_names() {
   return {"broken",         "temperature",      "displacement", "displacement.x", "displacement.y",
-          "displacement.z", "principal_stress", "plastic_strain", "stress.xx",    "stress.yy",      "stress.zz",
+          "displacement.z", "principal_stress", "plastic_strain", "damage", "stress.xx", "stress.yy", "stress.zz",
           "stress.xy",      "stress.yz",        "stress.zx"};
 }
 std::vector<std::string> history_names() {
@@ -107,6 +107,8 @@ const std::vector<Recorded>& recorded() {
       {"nodal_stress", dimension::pressure, tensor, true, false, false},
       {"principal_stress", dimension::pressure, {}, false, false, true},
       {"plastic_strain", dimension::none, {}, true, false, true},
+      {"damage", dimension::none, {}, true, false, true},
+      {"crack_normal", dimension::none, {}, false, false, true},
       {"opening", dimension::length, {}, false, false, true},
       {"slip", dimension::length, {}, false, false, true},
       {"traction", dimension::pressure, {}, false, false, true},
@@ -116,6 +118,7 @@ const std::vector<Recorded>& recorded() {
       {"load_moment", moment, vector, false, true, false},
       {"energy", dimension::energy, {"kinetic", "strain", "dissipated", "external_work", "error"}, false, false, false,
        true},
+      {"dissipation", dimension::energy, {"plastic", "fracture"}, false, false, false, true},
   };
   return all;
 }
@@ -420,9 +423,9 @@ const std::vector<NounRule>& nouns() {
        .kind = NounKind::solve,
        .naming = Naming::none,
        .doc = "Equilibrium by dynamic relaxation. What the stage changes (loads, supports, displacements, temperature) "
-              "comes in increments where plastic flow depends on the path.",
+              "comes in increments where plastic flow or cracking of blocks depends on the path.",
        .keys = Keys{key("increments", Type::integer,
-                        "equal parts in which the change comes; 20 with a plastic material, else 1, unless given")} +
+                        "equal parts in which the change comes; 20 with a material that remembers, else 1, unless given")} +
                relaxation_keys(),
        .example = R"(stage "gravity" { solve = static { tolerance = 1e-6 } })"},
       {.name = "thermal",
@@ -447,6 +450,17 @@ const std::vector<NounRule>& nouns() {
                 key("max_events", Type::integer, "gives up after so many crack events").otherwise(100000)} +
            relaxation_keys(),
        .example = R"(stage "fracture" { solve = fracture { from = "summer", to = "winter", increments = 10 } })"},
+      {.name = "strength_reduction",
+       .kind = NounKind::solve,
+       .naming = Naming::none,
+       .doc = "The safety factor: by what the strength of all materials and interfaces (cohesion, tan(friction), tensile "
+              "strength) can be divided until no equilibrium is found under the loads that act, by halving the "
+              "interval. Results show the last state that stands; later stages go on from before it, with full "
+              "strength.",
+       .keys = Keys{key("between", Type::interval, "{ lowest, highest } factor to look between; { 1, 4 } unless given"),
+                    number("width", dimension::none, Range{1e-4, 1}, "of the interval at the end").otherwise(0.01)} +
+               relaxation_keys(),
+       .example = R"(stage "safety" { solve = strength_reduction { between = { 1, 3 }, width = 0.01 } })"},
       {.name = "dynamic",
        .kind = NounKind::solve,
        .naming = Naming::none,
@@ -474,7 +488,7 @@ const std::vector<NounRule>& nouns() {
            R"(stage "release" { solve = dynamic { duration = 2*s, mass_damping = 0.5/s, record_every = 0.01*s } })"},
       {.name = "stage",
        .doc = "One step of the model's life. Stages continue from each other, in the deck's order.",
-       .keys = {key("solve", Type::solve, "static {...}, thermal {...}, fracture {...} or dynamic {...}").need(),
+       .keys = {key("solve", Type::solve, "static {...}, thermal {...}, fracture {...}, dynamic {...} or strength_reduction {...}").need(),
                 key("apply", Type::conditions,
                     "conditions that act from this stage on: a list of calls such as convection {...}. One replaces an "
                     "earlier one of its noun on the same surface"),
@@ -489,8 +503,8 @@ const std::vector<NounRule>& nouns() {
                 key("surface", Type::text, "the surface; give this or `at`"),
                 key("record", Type::choices,
                     "at a point: displacement, velocity, temperature, stress (mean of the element there), nodal_stress "
-                    "(extrapolated to the nodes, averaged there), plastic_strain; over a surface: reaction, load, "
-                    "load_moment; with neither: energy, of dynamic stages")
+                    "(extrapolated to the nodes, averaged there), plastic_strain, damage; over a surface: "
+                    "reaction, load, load_moment; with neither: energy, of dynamic stages, and dissipation, of blocks")
                     .of(history_names())
                     .need()},
        .example = R"(history "crest" { at = { 0, 0, 60*m }, record = { "displacement", "temperature" } })"},
@@ -518,7 +532,7 @@ const std::vector<NounRule>& nouns() {
               "if it likes, a text). The result offers "
               "stage(name) with .converged .steps .ratio .load_factor .stop_reason .cracks (number of crack events) "
               ".first_crack (the load factor of the first) .first_crack_place (its .x .y .z) .cracked_area "
-              ".dissipated_energy .plastic_work .free_blocks, "
+              ".dissipated_energy .plastic_work .fracture_work .safety_factor .falling_factor .free_blocks, "
               "and history(name) with .at(column, stage), .values(column, stage) and .columns.",
        .keys = {key("history", Type::text, "name of a history"),
                 key("component", Type::text, "its column, such as \"displacement.z\""),

@@ -13,7 +13,7 @@ constexpr double largest_strain = 0.2, elastic_strain = 1e-3;
 
 /// Memory of laws that have none.
 struct NoHistory {
-  double equivalent = 0;
+  double operator[](int) const { return 0; }
 };
 template <class Law>
 auto history_of(const Law&) {
@@ -27,7 +27,7 @@ auto history_of(const Law&) {
 template <class Law>
 class Specimen {
  public:
-  explicit Specimen(const Law& law) : law_(law), history_(history_of(law)) {}
+  Specimen(const Law& law, double size) : law_(law), size_(size), history_(history_of(law)) {}
 
   void go_to(const Sym3<double>& strain) {
     strain_ = strain;
@@ -53,7 +53,7 @@ class Specimen {
 
   MaterialState state(bool shear, double from) const {
     return {shear ? strain_.zx : strain_.zz - from, shear ? stress_.zx : stress_.zz, stress_.xx,
-            strain_.xx + strain_.yy + strain_.zz - (shear ? 0 : from_volume_), history_.equivalent};
+            strain_.xx + strain_.yy + strain_.zz - (shear ? 0 : from_volume_), history_[measure_number]};
   }
   double axial() const { return strain_.zz; }
   void count_volume_from_here() { from_volume_ = strain_.xx + strain_.yy + strain_.zz; }
@@ -65,10 +65,13 @@ class Specimen {
   Sym3<double> answer(const Sym3<double>& strain, History& history) const {
     if constexpr (Law::history_size == 0)
       return law_.stress(strain);
+    else if constexpr (Law::sized)
+      return law_.stress(strain, history, [this](int, const Vec3<double>&) { return size_; });
     else
       return law_.stress(strain, history);
   }
   Law law_;
+  double size_;
   decltype(history_of(std::declval<Law>())) history_;
   Sym3<double> strain_, stress_;
   double from_volume_ = 0;
@@ -77,9 +80,10 @@ class Specimen {
 enum class Path { axial, oedometer, shear, cycle };
 
 template <class Law>
-MaterialCurve run(const Law& law, const std::string& name, Path path, double pressure, double reach) {
+MaterialCurve run(const Law& law, const std::string& name, Path path, double pressure, double reach,
+                  double size) {
   MaterialCurve curve{name, {}};
-  Specimen<Law> specimen(law);
+  Specimen<Law> specimen(law, size);
   const double side = specimen.all_round(-pressure);
   specimen.go_to({side, side, side, 0, 0, 0});
   specimen.count_volume_from_here();
@@ -101,11 +105,12 @@ MaterialCurve run(const Law& law, const std::string& name, Path path, double pre
 
 /// As far as `strain`, or until flow has gone on for three quarters of the way.
 template <class Law>
-MaterialCurve run_far(const Law& law, const std::string& name, Path path, double pressure, double sign, double strain) {
-  if (strain > 0) return run(law, name, path, pressure, sign * strain);
-  if (Law::history_size == 0) return run(law, name, path, pressure, sign * elastic_strain);
+MaterialCurve run_far(const Law& law, const std::string& name, Path path, double pressure, double sign, double strain,
+                      double size) {
+  if (strain > 0) return run(law, name, path, pressure, sign * strain, size);
+  if (Law::history_size == 0) return run(law, name, path, pressure, sign * elastic_strain, size);
   for (double reach = 1e-5;; reach *= 2) {
-    MaterialCurve curve = run(law, name, path, pressure, sign * reach);
+    MaterialCurve curve = run(law, name, path, pressure, sign * reach, size);
     const auto flows = [&](const MaterialState& s) { return s.plastic_strain > curve.states[0].plastic_strain; };
     const auto first = std::find_if(curve.states.begin(), curve.states.end(), flows);
     if (first - curve.states.begin() <= steps / 4 || reach >= largest_strain) return curve;
@@ -114,21 +119,22 @@ MaterialCurve run_far(const Law& law, const std::string& name, Path path, double
 
 }  // namespace
 
-std::vector<MaterialCurve> test_material(const BlockLaw& law, const std::vector<double>& confining, double strain) {
+std::vector<MaterialCurve> test_material(const BlockLaw& law, const std::vector<double>& confining, double strain,
+                                         double size) {
   return std::visit(
       [&](const auto& l) {
         const auto point = l.template prepare<double>();
         std::vector<MaterialCurve> curves;
-        curves.push_back(run_far(point, "uniaxial compression", Path::axial, 0, -1, strain));
+        curves.push_back(run_far(point, "uniaxial compression", Path::axial, 0, -1, strain, size));
         for (const double pressure : confining) {
           char name[80];
           std::snprintf(name, sizeof name, "triaxial compression at %.6g MPa", pressure / 1e6);
-          curves.push_back(run_far(point, name, Path::axial, pressure, -1, strain));
+          curves.push_back(run_far(point, name, Path::axial, pressure, -1, strain, size));
         }
-        curves.push_back(run_far(point, "uniaxial tension", Path::axial, 0, 1, strain));
-        curves.push_back(run_far(point, "oedometer", Path::oedometer, 0, -1, strain));
-        curves.push_back(run_far(point, "simple shear", Path::shear, 0, 1, strain));
-        curves.push_back(run_far(point, "cycle", Path::cycle, 0, -1, strain));
+        curves.push_back(run_far(point, "uniaxial tension", Path::axial, 0, 1, strain, size));
+        curves.push_back(run_far(point, "oedometer", Path::oedometer, 0, -1, strain, size));
+        curves.push_back(run_far(point, "simple shear", Path::shear, 0, 1, strain, size));
+        curves.push_back(run_far(point, "cycle", Path::cycle, 0, -1, strain, size));
         return curves;
       },
       law);

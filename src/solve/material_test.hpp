@@ -12,7 +12,7 @@ struct MaterialState {
   double stress = 0;          ///< Pa, axial or shear
   double lateral_stress = 0;  ///< Pa
   double volume = 0;          ///< volumetric strain
-  double plastic_strain = 0;  ///< equivalent
+  double plastic_strain = 0;  ///< equivalent; damage of laws that crack
 };
 struct MaterialCurve {
   std::string test;
@@ -23,6 +23,8 @@ struct MaterialCurve {
 /// cycle of compression, tension and back. Tension positive.
 /// @param confining Pa, positive
 /// @param strain how far each goes; 0: four times the strain at first flow, 0.1 % without flow
-std::vector<MaterialCurve> test_material(const BlockLaw& law, const std::vector<double>& confining, double strain);
+/// @param size of the block, m, for laws that crack
+std::vector<MaterialCurve> test_material(const BlockLaw& law, const std::vector<double>& confining, double strain,
+                                         double size);
 
 }  // namespace ashlar

@@ -22,6 +22,8 @@ struct Snapshot {
   std::vector<double> nodal_stress;       ///< [6 * block nodes] Pa, Gauss-point extrapolation averaged by volume within one region and block
   std::vector<double> principal_stress;   ///< [3 * elements] Pa, of the element mean, largest (most tensile) first
   std::vector<double> plastic_strain;     ///< [elements] equivalent plastic strain, element mean
+  std::vector<double> damage;             ///< [elements] share of strength that is gone, element mean
+  std::vector<double> crack_normal;       ///< [3 * elements] unit normal of the crack plane of the most damaged Gauss point; 0: none
   std::vector<double> opening;            ///< [contact points] m, normal gap, positive open
   std::vector<double> slip;               ///< [contact points] m, tangential relative displacement
   std::vector<double> normal_traction;    ///< [contact points] Pa, tension positive

@@ -23,6 +23,7 @@ StagePlan plan_stage(Problem& problem, int number) {
   mechanical_conditions(problem, number);
   if (const auto* solve = std::get_if<StaticSolve>(&stage.solve)) return {0, 0, static_increments(problem, *solve)};
   if (const auto* solve = std::get_if<FractureSolve>(&stage.solve)) return {0, 0, solve->increments};
+  if (std::holds_alternative<StrengthReduction>(stage.solve)) return {0, 0, 1};
   const MotionSteps steps = motion_steps(problem, stage);
   return {steps.count, steps.length};
 }
@@ -45,9 +46,9 @@ double shortest_time(Backend& backend, Piece piece) {
 }  // namespace
 
 int static_increments(const Problem& problem, const StaticSolve& solve) {
-  constexpr int with_plastic_materials = 20;
+  constexpr int with_memory = 20;
   if (solve.increments > 0) return solve.increments;
-  return problem.backend->size(Field::history) > 0 ? with_plastic_materials : 1;
+  return problem.backend->size(Field::history) > 0 ? with_memory : 1;
 }
 
 std::vector<StagePlan> plan_stages(Problem& problem) {

@@ -6,7 +6,7 @@
 
 #include "model/loads.hpp"
 #include "solve/contact_states.hpp"
-#include "solve/plastic_output.hpp"
+#include "solve/block_state.hpp"
 #include "solve/stress_output.hpp"
 
 namespace ashlar {
@@ -80,6 +80,11 @@ void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
         table.columns.push_back(record + "." + part);
         table.units.push_back("J");
       }
+    } else if (!at_point && !on_surface && record == "dissipation") {
+      for (const char* part : {"plastic", "fracture"}) {
+        table.columns.push_back(record + "." + part);
+        table.units.push_back("J");
+      }
     } else if (at_point && record == "temperature") {
       table.columns.push_back(record);
       table.units.push_back("degC");
@@ -88,7 +93,7 @@ void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
         table.columns.push_back(record + "." + c);
         table.units.push_back("Pa");
       }
-    } else if (at_point && record == "plastic_strain") {
+    } else if (at_point && (record == "plastic_strain" || record == "damage")) {
       table.columns.push_back(record);
       table.units.push_back("1");
     } else if (on_surface && (record == "reaction" || record == "load")) {
@@ -99,9 +104,9 @@ void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
       throw DeckError(probe.history->where,
                       "history '" + probe.history->name + "': cannot record '" + record + "' " +
                           (at_point     ? "at a point; valid: displacement, velocity, temperature, stress, "
-                                         "nodal_stress, plastic_strain"
+                                         "nodal_stress, plastic_strain, damage"
                            : on_surface ? "on a surface; valid: reaction, load, load_moment"
-                                        : "of the whole model; valid: energy"));
+                                        : "of the whole model; valid: energy, dissipation"));
     }
   }
 }
@@ -159,7 +164,12 @@ void Recorder::add_values(const Probe& probe, std::vector<double>& row) {
       const std::vector<double> value = at_point(probe, nodal_stress(problem_, backend.read(Field::stress)), 6);
       row.insert(row.end(), value.begin(), value.end());
     } else if (record == "plastic_strain") {
-      row.push_back(element_plastic_strain(problem_)[probe.location.element]);
+      row.push_back(element_measure(problem_, Measure::plastic_strain)[probe.location.element]);
+    } else if (record == "damage") {
+      row.push_back(element_measure(problem_, Measure::damage)[probe.location.element]);
+    } else if (record == "dissipation") {
+      const BlockWork work = block_work(problem_);
+      row.insert(row.end(), {work.plastic, work.fracture});
     } else if (record == "reaction") {
       // What the supports hold: internal force less load on held components.
       std::vector<double> support = problem_.to_blocks(backend.read(Field::force), 3);
@@ -206,7 +216,9 @@ void Recorder::snapshot(const Moment& moment) {
     s.stress = element_stress(problem_, gauss);
     s.nodal_stress = nodal_stress(problem_, gauss);
     s.principal_stress = principal_stress(s.stress);
-    s.plastic_strain = element_plastic_strain(problem_);
+    s.plastic_strain = element_measure(problem_, Measure::plastic_strain);
+    s.damage = element_measure(problem_, Measure::damage);
+    s.crack_normal = element_crack_normal(problem_);
   }
   if (problem_.contacts.count() > 0) fill_contact_fields(ContactReader(problem_).read(), s);
   observer_.output(s);

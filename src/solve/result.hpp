@@ -43,7 +43,7 @@ struct PhaseTime {
 
 struct StageResult {
   std::string name;
-  std::string kind;               ///< "static", "thermal steady", "thermal transient", "fracture", "dynamic"
+  std::string kind;               ///< "static", "thermal steady", "thermal transient", "fracture", "dynamic", "strength reduction"
   bool converged = false;
   std::string stop_reason;        ///< "converged", "duration reached", "step limit", "not finite", "block free", "interrupted", "runaway energy at ...", ...
   long steps = 0;                 ///< passes over the elements: relaxation steps, heat steps, iterations of conjugate gradients
@@ -55,8 +55,11 @@ struct StageResult {
   double cracked_area = 0;                             ///< m^2, all broken contact points at the stage's end
   std::map<std::string, double> cracked_area_by_direction;  ///< "horizontal" (normal within 30 deg of z), "vertical" (normal within 30 deg of the horizontal plane), "inclined"
   std::vector<int> free_blocks;                        ///< blocks that lost all contact, Blocks numbering
-  double dissipated_energy = 0;                        ///< J, by sliding, cracking and plastic flow; in dynamic stages also by damping
+  double dissipated_energy = 0;                        ///< J, by sliding, cracking and what blocks lose; in dynamic stages also by damping
   double plastic_work = 0;                             ///< J, the part of plastic flow
+  double fracture_work = 0;                            ///< J, the part of blocks that crack
+  double safety_factor = 0;                            ///< strength reduction: the largest factor at which it stands
+  double falling_factor = 0;                           ///< and the smallest at which it does not; 0: none was found
   double seconds = 0;                                  ///< dynamic stages: time reached, s
   double time_step = 0, stable_step = 0;               ///< s, dynamic stages
   std::optional<InitialBalance> initial;               ///< of the first mechanical stage of a model with initial stress

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <utility>
 
+#include "solve/block_state.hpp"
 #include "solve/dynamic.hpp"
 #include "solve/elastic_start.hpp"
 #include "solve/fracture.hpp"
 #include "solve/plan.hpp"
-#include "solve/plastic_output.hpp"
 #include "solve/recorder.hpp"
 #include "solve/relaxation.hpp"
 #include "solve/stage_conditions.hpp"
@@ -32,6 +33,7 @@ std::string kind_of(const Stage& stage) {
   if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve))
     return thermal->steady ? "thermal steady" : "thermal transient";
   if (is_dynamic(stage)) return "dynamic";
+  if (std::holds_alternative<StrengthReduction>(stage.solve)) return "strength reduction";
   return std::holds_alternative<FractureSolve>(stage.solve) ? "fracture" : "static";
 }
 
@@ -91,11 +93,13 @@ class Run {
     recorder_.motion({}, {});
     std::visit([this](const auto& how) { solve_stage(how); }, stage().solve);
     temperatures_at_end_[stage().name] = temperature_;
-    const double work_before = std::exchange(plastic_work_, plastic_work(problem_));
-    outcome_.plastic_work = plastic_work_ - work_before;
-    outcome_.dissipated_energy += outcome_.plastic_work;
+    const BlockWork before = std::exchange(block_work_, block_work(problem_));
+    outcome_.plastic_work = block_work_.plastic - before.plastic;
+    outcome_.fracture_work = block_work_.fracture - before.fracture;
+    outcome_.dissipated_energy += outcome_.plastic_work + outcome_.fracture_work;
 
     record({stage_, stage_ + 1.0, outcome_.load_factor, true, outcome_.seconds, 0});
+    if (after_record_) std::exchange(after_record_, nullptr)();
     outcome_.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
     const std::vector<double> seconds_after = phase_seconds();
     for (int p = 0; p < static_cast<int>(Phase::count); ++p)
@@ -315,6 +319,63 @@ class Run {
     for (std::size_t n = 0; n < shift_.size(); ++n) shift_[n] = body_temperature_[n] - temperature_[n];
   }
 
+  // ------------------------------------------------------------------ strength
+
+  /// All that flow, slip and cracks change.
+  using Body = std::map<Field, std::vector<double>>;
+  Body body() {
+    Body all;
+    for (const Field field : {Field::displacement, Field::slip, Field::contact_state, Field::history})
+      all[field] = problem_.backend->read(field);
+    return all;
+  }
+  void restore(const Body& all) {
+    for (const auto& [field, values] : all) problem_.backend->write(field, values);
+  }
+
+  void solve_stage(const StrengthReduction& how) {
+    increment_ = increments_ = 0;
+    warm_body();
+    Relaxation relaxation = how.relaxation;
+    if (relaxation.max_steps == 0) relaxation.max_steps = usual_trial_steps;
+    const FractureLinks links = set_up(relaxation);
+    thermal_load_ = warm_ ? thermal_load_norm(*problem_.backend) : 0;
+    const Body start = body();
+    Body standing = start;
+    long steps = 0;
+    const auto stands = [&](double factor) {
+      restore(start);
+      problem_.backend->weaken(factor);
+      Fracture fracture(problem_, links, max_static_events);
+      const bool found = fracture.settle(1);
+      StageResult trial;
+      fracture.fill(trial);
+      steps += trial.steps;
+      outcome_.ratio = trial.ratio;
+      if (found) standing = body();
+      (found ? outcome_.safety_factor : outcome_.falling_factor) = factor;
+      return found;
+    };
+    if (!stands(how.low)) {
+      outcome_.stop_reason = "falls at the lowest factor";
+    } else if (stands(how.high)) {
+      outcome_.stop_reason = "stands at the highest factor";
+    } else {
+      while (outcome_.falling_factor - outcome_.safety_factor > how.width && !result_.interrupted)
+        stands((outcome_.safety_factor + outcome_.falling_factor) / 2);
+      outcome_.converged = !result_.interrupted;
+      outcome_.stop_reason = result_.interrupted ? "interrupted" : "converged";
+    }
+    outcome_.steps = steps;
+    problem_.backend->weaken(outcome_.safety_factor > 0 ? outcome_.safety_factor : 1);
+    restore(standing);
+    after_record_ = [this, start] {
+      problem_.backend->weaken(1);
+      restore(start);
+      block_work_ = block_work(problem_);
+    };
+  }
+
   // ------------------------------------------------------------------ motion
 
   void solve_stage(const DynamicSolve& how) {
@@ -368,6 +429,7 @@ class Run {
   }
 
   static constexpr long max_static_events = 100000;
+  static constexpr long usual_trial_steps = 20000;  // of one factor of a strength reduction, before it counts as falling
 
   Problem& problem_;
   Observer& observer_;
@@ -383,7 +445,8 @@ class Run {
                                ///< later stages go on from there
   std::map<std::string, std::vector<double>> temperatures_at_end_;
   double thermal_load_ = 0;
-  double plastic_work_ = 0;    ///< J, up to the end of the last stage
+  std::function<void()> after_record_;  ///< what a stage undoes once its results are written
+  BlockWork block_work_;       ///< up to the end of the last stage
   double out_of_balance_ = 0;  ///< N, largest at the start of a relaxation of this stage
   int increment_ = 0, increments_ = 0;
   bool balance_told_ = false;

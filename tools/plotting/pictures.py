@@ -28,6 +28,7 @@ QUANTITIES = {
     "nodal_stress": Quantity("stress", "MPa", 1e-6, "RdBu_r", True),
     "principal_stress": Quantity("principal stress", "MPa", 1e-6, "RdBu_r", True),
     "plastic_strain": Quantity("plastic strain", "%", 1e2, "YlOrRd"),
+    "damage": Quantity("damage", "", 1, "YlOrRd"),
     "normal_traction": Quantity("normal traction", "MPa", 1e-6, "RdBu_r", True),
     "shear_traction": Quantity("shear traction", "MPa", 1e-6, "YlOrRd"),
     "reaction": Quantity("reaction", "MN", 1e-6, "viridis"),

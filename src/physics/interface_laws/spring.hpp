@@ -26,6 +26,14 @@ struct SpringLaw {
   SpringLaw<Other> as() const {
     return {Other(tensile_strength), Other(cohesion), Other(tan_friction), bonded, breakable};
   }
+  /// The law with its strength divided by `factor`.
+  SpringLaw weakened(double factor) const {
+    SpringLaw law = *this;
+    law.tensile_strength = Real(tensile_strength / factor);
+    law.cohesion = Real(cohesion / factor);
+    law.tan_friction = Real(tan_friction / factor);
+    return law;
+  }
   ASHLAR_HD bool holds(ContactState state) const { return bonded && state == ContactState::intact; }
   ASHLAR_HD bool can_break(ContactState state) const { return breakable && state == ContactState::intact; }
 };

@@ -11,6 +11,8 @@ template <class Real>
 struct ConePoint {
   static constexpr int history_size = PlasticHistory<Real>::size;
   static constexpr bool sized = false;
+  static constexpr Measure measure = Measure::plastic_strain;
+  static constexpr bool has_plane = false;
   Elastic::Point<Real> part;
   Real slope, dilation;
   Real strength, hardening, residual;  ///< Pa; hardening per engineering shear strain of flow

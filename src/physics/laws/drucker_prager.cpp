@@ -1,5 +1,6 @@
 #include "physics/laws/drucker_prager.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "physics/laws/wording.hpp"
@@ -50,6 +51,17 @@ std::vector<LawComplaint> DruckerPrager::complaints() const {
     complain("residual", above("residual", residual, direct ? "cone_strength" : "cohesion", first, " Pa"));
   check_softening(point, hardening, found);
   return found;
+}
+
+DruckerPrager DruckerPrager::weakened(double factor) const {
+  DruckerPrager law = *this;
+  for (double* strength :
+       {&law.cohesion, &law.cone_slope, &law.cone_strength, &law.tension_cutoff, &law.hardening, &law.residual})
+    *strength /= factor;
+  law.friction = std::atan(std::tan(friction) / factor);
+  law.dilation = std::min(dilation, law.friction);
+  law.cone_dilation = std::min(cone_dilation, law.cone_slope);
+  return law;
 }
 
 }  // namespace ashlar

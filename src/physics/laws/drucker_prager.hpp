@@ -65,6 +65,7 @@ struct DruckerPrager : Elastic {
             given(tension_cutoff) ? Real(3 * tension_cutoff) : std::numeric_limits<Real>::infinity()};
   }
   std::vector<LawComplaint> complaints() const;
+  DruckerPrager weakened(double factor) const;
 };
 
 }  // namespace ashlar

@@ -1,8 +1,13 @@
 #pragma once
+#include <limits>
+
 #include "base/key.hpp"
 #include "base/tensor.hpp"
 
 namespace ashlar {
+
+/// What laws with memory count, see plastic.hpp.
+enum class Measure { none, plastic_strain, damage };
 
 /// The keys of the elastic part, which every block law has.
 template <class Law>
@@ -36,6 +41,8 @@ struct Elastic {
   struct Point {
     static constexpr int history_size = 0;  ///< numbers that a point remembers
     static constexpr bool sized = false;    ///< stress depends on the size of the element
+    static constexpr Measure measure = Measure::none;
+    static constexpr bool has_plane = false;  ///< remembers a crack plane
     Real lambda, shear, expansion;
     ASHLAR_HD const Point& elastic() const { return *this; }
     /// Strain less that of warming = T - T_reference, K.
@@ -62,6 +69,10 @@ struct Elastic {
     return {Real(lambda()), Real(shear()), Real(expansion)};
   }
   std::vector<LawComplaint> complaints() const { return {}; }
+  /// Of an element across a crack, m: larger ones would snap back.
+  double largest_length() const { return std::numeric_limits<double>::infinity(); }
+  /// The law with its strength divided by `factor`; an angle by its tangent.
+  Elastic weakened(double) const { return *this; }
 };
 
 }  // namespace ashlar

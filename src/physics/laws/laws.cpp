@@ -28,10 +28,28 @@ std::vector<LawComplaint> law_complaints(const std::string& name, const std::map
   return std::visit([](const auto& law) { return law.complaints(); }, make_block_law(name, values));
 }
 
-bool is_plastic(const std::string& name) { return history_size(make_block_law(name, {})) > 0; }
+template <class Work>
+static auto of_point(const BlockLaw& law, Work work) {
+  return std::visit([&]<class Law>(const Law&) {
+    return work.template operator()<decltype(std::declval<Law>().template prepare<double>())>();
+  }, law);
+}
 
 int history_size(const BlockLaw& law) {
-  return std::visit([](const auto& l) { return decltype(l.template prepare<double>())::history_size; }, law);
+  return of_point(law, []<class Point>() { return Point::history_size; });
+}
+Measure measure(const std::string& name) {
+  return of_point(make_block_law(name, {}), []<class Point>() { return Point::measure; });
+}
+bool has_crack_plane(const std::string& name) {
+  return of_point(make_block_law(name, {}), []<class Point>() { return Point::has_plane; });
+}
+
+double largest_length(const BlockLaw& law) {
+  return std::visit([](const auto& l) { return l.largest_length(); }, law);
+}
+BlockLaw weakened(const BlockLaw& law, double factor) {
+  return std::visit([&](const auto& l) -> BlockLaw { return l.weakened(factor); }, law);
 }
 
 }  // namespace ashlar

@@ -5,15 +5,18 @@
 #include <variant>
 #include <vector>
 
+#include "physics/laws/breakage.hpp"
+#include "physics/laws/damage.hpp"
 #include "physics/laws/drucker_prager.hpp"
 #include "physics/laws/elastic.hpp"
+#include "physics/laws/jointed.hpp"
 #include "physics/laws/mohr_coulomb.hpp"
 #include "physics/laws/von_mises.hpp"
 
 /// The register of block laws. Adding one: its header, its name in this list, its test.
 namespace ashlar {
 
-using BlockLaws = std::tuple<Elastic, DruckerPrager, MohrCoulomb, VonMises>;
+using BlockLaws = std::tuple<Elastic, Breakage, Damage, DruckerPrager, Jointed, MohrCoulomb, VonMises>;
 
 template <class>
 struct VariantOf;
@@ -49,7 +52,18 @@ std::vector<LawComplaint> law_complaints(const std::string& name, const std::map
 
 /// Numbers that a Gauss point of the law remembers.
 int history_size(const BlockLaw& law);
-/// Whether the law called `name` has plastic flow, which depends on the path.
-bool is_plastic(const std::string& name);
+/// What the law called `name` counts.
+Measure measure(const std::string& name);
+/// Whether it has plastic flow, which keeps its volume, nearly.
+inline bool is_plastic(const std::string& name) { return measure(name) == Measure::plastic_strain; }
+/// Whether its points remember a crack plane.
+bool has_crack_plane(const std::string& name);
+/// Of an element across a crack, m: larger ones would snap back. Infinity for laws that do not crack.
+double largest_length(const BlockLaw& law);
+/// The law with its strength divided by `factor`; an angle by its tangent.
+BlockLaw weakened(const BlockLaw& law, double factor);
+
+/// Where histories keep what all laws with memory have, and the normal of a crack plane.
+inline constexpr int measure_number = 6, dissipation_number = 7, normal_number = 8;
 
 }  // namespace ashlar

@@ -1,5 +1,6 @@
 #include "physics/laws/mohr_coulomb.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "physics/laws/wording.hpp"
@@ -28,12 +29,16 @@ std::vector<LawComplaint> MohrCoulomb::complaints() const {
   std::vector<LawComplaint> found;
   if (dilation > friction) found.push_back({"dilation", dilation_above(dilation, friction)});
   if (cohesion == 0 && friction == 0) found.push_back({"", "has no strength at all: cohesion and friction are both 0"});
-  const double tip = cohesion / std::tan(friction);
-  if (given(tensile_strength) && tensile_strength > tip)
-    found.push_back(
-        {"tensile_strength", above("tensile_strength", tensile_strength, "cohesion / tan(friction)", tip, " Pa") +
-                                 ", where shear strength ends; lower it"});
+  check_tip(tensile_strength, cohesion, friction, found);
   return found;
+}
+
+MohrCoulomb MohrCoulomb::weakened(double factor) const {
+  MohrCoulomb law = *this;
+  for (double* strength : {&law.cohesion, &law.tensile_strength}) *strength /= factor;
+  law.friction = std::atan(std::tan(friction) / factor);
+  law.dilation = std::min(dilation, law.friction);
+  return law;
 }
 
 }  // namespace ashlar

@@ -12,6 +12,8 @@ template <class Real>
 struct PyramidPoint {
   static constexpr int history_size = PlasticHistory<Real>::size;
   static constexpr bool sized = false;
+  static constexpr Measure measure = Measure::plastic_strain;
+  static constexpr bool has_plane = false;
   Elastic::Point<Real> part;
   Real sine, dilation, strength;   ///< sin phi, sin psi, 2 c cos phi
   Real tension;                    ///< T, at most c / tan(phi)
@@ -29,9 +31,7 @@ struct PyramidPoint {
   /// Demand on the inner cone, and a bound of the largest principal stress.
   template <class V>
   ASHLAR_HD Invariants<V> test(const Sym3<V>& stress) const {
-    const Invariants<V> i = invariants(stress);
-    using S = Scalar<V>;
-    return {fma(V(S(1.0 / 3)), i.trace, V(S(1.1547005383792515290)) * i.shear), fma(V(cone_slope), i.trace, i.shear)};
+    return pyramid_test(stress, cone_slope);
   }
   template <class V>
   ASHLAR_HD bool yields(const Invariants<V>& test, const PlasticHistory<V>&, int l) const {
@@ -178,6 +178,7 @@ struct MohrCoulomb : Elastic {
   template <class Real>
   PyramidPoint<Real> prepare() const;
   std::vector<LawComplaint> complaints() const;
+  MohrCoulomb weakened(double factor) const;
 };
 
 }  // namespace ashlar

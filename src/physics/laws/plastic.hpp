@@ -1,7 +1,9 @@
 #pragma once
 #include "physics/laws/elastic.hpp"
 
-/// What the plastic laws share. The state of a point is what it went through; stress follows from strain and state, so
+/// What laws with memory share: all remember first the strain that bears no stress (a plastic strain; or that of the
+/// initial stress, with its sign turned), then one measure of how far the point is gone, then the energy that it lost.
+/// The state of a point is what it went through; stress follows from strain and state, so
 /// that a trial step that is taken back leaves nothing behind.
 namespace ashlar {
 
@@ -15,10 +17,22 @@ struct PlasticHistory {
   ASHLAR_HD const V& operator[](int i) const { return i < 6 ? strain[i] : i == 6 ? equivalent : dissipation; }
 };
 
+/// A length of the element in lane l, see LengthAcross.
+template <class Length>
+struct InLane {
+  const Length& length;
+  int l;
+  template <class Real>
+  ASHLAR_HD Real operator()(const Vec3<Real>& normal) const {
+    return length(l, normal);
+  }
+};
+
 /// Stress of a strain without heat, elastic where `law.yields(trial stress, history)` says no; moves the history on.
-/// Lanes that yield are returned to the surface one by one, by `law.pull_back(stress, history)`.
-template <class Law, class V>
-ASHLAR_HD Sym3<V> plastic_stress(const Law& law, const Sym3<V>& strain, PlasticHistory<V>& history) {
+/// Lanes that are more than elastic go one by one through `law.pull_back(stress, history)`, of sized laws with the
+/// length of the element as well.
+template <class Law, class V, class History, class... Length>
+ASHLAR_HD Sym3<V> plastic_stress(const Law& law, const Sym3<V>& strain, History& history, const Length&... length) {
   Sym3<V> elastic_strain;
   for (int i = 0; i < 6; ++i) elastic_strain[i] = strain[i] - history.strain[i];
   Sym3<V> stress = law.elastic().stress(elastic_strain);
@@ -26,10 +40,10 @@ ASHLAR_HD Sym3<V> plastic_stress(const Law& law, const Sym3<V>& strain, PlasticH
   for (int l = 0; l < lane_count<V>; ++l) {
     if (!law.yields(test, history, l)) continue;
     Sym3<Scalar<V>> s;
-    PlasticHistory<Scalar<V>> h;
+    typename Law::template History<Scalar<V>> h;
     for (int i = 0; i < 6; ++i) s[i] = lane(stress[i], l);
     for (int i = 0; i < h.size; ++i) h[i] = lane(history[i], l);
-    law.pull_back(s, h);
+    law.pull_back(s, h, InLane<Length>{length, l}...);
     for (int i = 0; i < 6; ++i) set_lane(stress[i], l, s[i]);
     for (int i = 0; i < h.size; ++i) set_lane(history[i], l, h[i]);
   }
@@ -54,6 +68,15 @@ ASHLAR_HD Invariants<V> invariants(const Sym3<V>& s) {
   const V squares = fma(d.zz, d.zz, fma(d.yy, d.yy, d.xx * d.xx));
   const V shears = fma(d.zx, d.zx, fma(d.yz, d.yz, d.xy * d.xy));
   return {trace, root(fma(V(Scalar<V>(0.5)), squares, shears))};
+}
+
+/// A bound of the largest principal stress, as trace, and the demand on the cone inside a Mohr-Coulomb pyramid, as
+/// shear.
+template <class V>
+ASHLAR_HD Invariants<V> pyramid_test(const Sym3<V>& stress, Scalar<V> cone_slope) {
+  const Invariants<V> i = invariants(stress);
+  using S = Scalar<V>;
+  return {fma(V(S(1.0 / 3)), i.trace, V(S(1.1547005383792515290)) * i.shear), fma(V(cone_slope), i.trace, i.shear)};
 }
 
 }  // namespace ashlar

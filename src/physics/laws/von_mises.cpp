@@ -13,4 +13,10 @@ std::vector<LawComplaint> VonMises::complaints() const {
   return found;
 }
 
+VonMises VonMises::weakened(double factor) const {
+  VonMises law = *this;
+  for (double* strength : {&law.yield_stress, &law.hardening, &law.residual_stress}) *strength /= factor;
+  return law;
+}
+
 }  // namespace ashlar

@@ -38,6 +38,7 @@ struct VonMises : Elastic {
             std::numeric_limits<Real>::infinity()};
   }
   std::vector<LawComplaint> complaints() const;
+  VonMises weakened(double factor) const;
 };
 
 }  // namespace ashlar

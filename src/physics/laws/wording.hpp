@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -18,6 +19,15 @@ inline std::string dilation_above(double dilation, double friction) {
   constexpr double degrees = 57.295779513082320877;
   return above("dilation", degrees * dilation, "friction", degrees * friction, " deg") +
          ": flow would make energy; give at most the friction angle";
+}
+
+/// Complains of a tensile strength beyond the tip of the Mohr-Coulomb pyramid.
+inline void check_tip(double tensile_strength, double cohesion, double friction, std::vector<LawComplaint>& found) {
+  const double tip = cohesion / std::tan(friction);
+  if (tensile_strength > tip)
+    found.push_back(
+        {"tensile_strength", above("tensile_strength", tensile_strength, "cohesion / tan(friction)", tip, " Pa") +
+                                 ", where shear strength ends; lower it"});
 }
 
 /// Softening faster than the elastic spring of the point itself has no static answer.

@@ -1,0 +1,12 @@
+#include "backend/phases.hpp"
+#include "cuda_exec.hpp"
+#include "cuda_phases.hpp"
+
+namespace ashlar {
+
+template <>
+std::unique_ptr<Backend> cuda_phases<float>(const Setup& setup, int device) {
+  return std::make_unique<Phases<CudaExec, float>>(setup, CudaExec(device));
+}
+
+}  // namespace ashlar

@@ -1,0 +1,153 @@
+#pragma once
+#include <limits>
+
+#include "physics/laws/softening.hpp"
+#include "physics/principal.hpp"
+
+namespace ashlar {
+
+/// The block breakage model of the paper as a kernel sees it. Elastic until the largest principal stress reaches the
+/// tensile strength or Mohr-Coulomb is reached; from then on one plane through the point is cracked, and its direction
+/// stays. With d the damaged share of the plane, its intact share carries traction as before; the damaged share
+/// carries nothing where open, and where closed all of the pressure and friction (Alfano & Sacco 2006): secant
+/// unloading, full stiffness on closing. d follows the traction that the plane would carry undamaged so that the energy
+/// per area is the fracture energy whatever the block's size (numerics 4).
+template <class Real>
+struct CrackPoint {
+  static constexpr int history_size = 15;
+  static constexpr bool sized = true;
+  static constexpr Measure measure = Measure::damage;
+  static constexpr bool has_plane = true;
+  Elastic::Point<Real> part;
+  Real tension, cohesion, tan_friction;
+  Real sine, strength;                    ///< sin phi, 2 c cos phi
+  Real plane_cosine, plane_sine;          ///< of the angle between the plane of sliding's normal and smallest stress
+  Real open_length, slide_length;         ///< m, softening_ratio() times length
+  Real cone_slope, cone_strength;         ///< of the cone inside: where it holds nothing breaks
+
+  template <class V>
+  struct History {
+    static constexpr int size = history_size;
+    Sym3<V> strain;   ///< that bears no stress, engineering shear
+    V damage{};       ///< damaged share of the crack plane
+    V dissipation{};  ///< energy released by cracking and friction, J/m^3
+    Vec3<V> normal;   ///< of the crack plane; 0 before it cracks
+    V length{};       ///< m, of the element across the plane
+    Vec3<V> slip;     ///< of the damaged share, along the plane, engineering strain
+    ASHLAR_HD V& operator[](int i) {
+      if (i < 6) return strain[i];
+      if (i < 8) return i == 6 ? damage : dissipation;
+      return i < 11 ? normal[i - 8] : i == 11 ? length : slip[i - 12];
+    }
+    ASHLAR_HD const V& operator[](int i) const { return const_cast<History&>(*this)[i]; }
+  };
+  ASHLAR_HD const Elastic::Point<Real>& elastic() const { return part; }
+
+  template <class V, class Length>
+  ASHLAR_HD Sym3<V> stress(const Sym3<V>& strain, History<V>& history, const Length& length) const {
+    return plastic_stress(*this, strain, history, length);
+  }
+
+  template <class V>
+  ASHLAR_HD Invariants<V> test(const Sym3<V>& stress) const {
+    return pyramid_test(stress, cone_slope);
+  }
+  /// Whether lane l may be more than elastic.
+  template <class V>
+  ASHLAR_HD bool yields(const Invariants<V>& test, const History<V>& history, int l) const {
+    return lane(history.damage, l) > Real(0) || lane(test.shear, l) > cone_strength || lane(test.trace, l) > tension;
+  }
+
+  /// Normal of the plane that the stress cracks, 0: none.
+  ASHLAR_HD_CALL Vec3<Real> plane_of(const Sym3<Real>& s) const {
+    const Principal<Real> p = principal(s);
+    if (p.value[0] > tension) return p.direction[0];
+    if (fma(Real(1) + sine, p.value[0], (sine - Real(1)) * p.value[2]) > strength)
+      return plane_cosine * p.direction[2] + plane_sine * p.direction[0];
+    return {};
+  }
+
+  /// Elastic stress to that of the cracked point; its history moves on.
+  template <class Length>
+  ASHLAR_HD_CALL void pull_back(Sym3<Real>& s, History<Real>& h, const Length& length) const {
+    const bool fresh = !(h.damage > Real(0));
+    const Vec3<Real> n = fresh ? plane_of(s) : h.normal;
+    if (fresh && dot(n, n) == Real(0)) return;
+    const Real across = fresh ? length(n) : h.length;
+
+    const Vec3<Real> t = traction(s, n);
+    const Real normal = dot(t, n);
+    const Vec3<Real> along = t - normal * n;
+    const Real shear = norm(along), modulus = fma(Real(2), part.shear, part.lambda);
+    const bool open = normal > Real(0);
+    const Real friction = open ? Real(0) : -normal * tan_friction;
+    const Real opens = open ? normal / tension : Real(0), slides = larger(shear - friction, Real(0)) / cohesion;
+    const Real used = open ? root(fma(opens, opens, slides * slides)) : slides;
+    if (fresh && !(used > Real(1))) return;
+    const Real share = used > Real(0) ? opens * opens / (used * used) : Real(1);  // of opening in the mode
+    const Real ratio = fma(share, open_length, (Real(1) - share) * slide_length) / across;
+    const Softening<Real> softening(ratio);
+    const Real damage = larger(h.damage, softening.damage(used));
+
+    Vec3<Real> slip_to = (Real(1) / part.shear) * along;  // an open plane slips freely
+    Vec3<Real> rubbing{};
+    if (!open) {
+      const Vec3<Real> trial = along - part.shear * h.slip;
+      const Real size = norm(trial), kept = size > friction ? friction / size : Real(1);
+      rubbing = kept * trial;
+      slip_to = h.slip + ((Real(1) - kept) / part.shear) * trial;
+      h.dissipation += damage * dot(rubbing, slip_to - h.slip);
+    }
+    const Real brittle = fma(share * tension, tension / modulus, (Real(1) - share) * cohesion * (cohesion / part.shear));
+    h.dissipation += brittle * (softening.released(damage) - softening.released(h.damage));
+    h.damage = damage;
+    h.normal = n;
+    h.length = across;
+    h.slip = slip_to;
+
+    const Real lost = open ? damage * normal : Real(0), side = lost * (part.lambda / modulus);
+    const Vec3<Real> taken = damage * (along - rubbing);
+    const Real both = lost - side;
+    s.xx -= fma(both * n.x, n.x, side) + Real(2) * taken.x * n.x;
+    s.yy -= fma(both * n.y, n.y, side) + Real(2) * taken.y * n.y;
+    s.zz -= fma(both * n.z, n.z, side) + Real(2) * taken.z * n.z;
+    s.xy -= fma(both * n.x, n.y, fma(taken.x, n.y, taken.y * n.x));
+    s.yz -= fma(both * n.y, n.z, fma(taken.y, n.z, taken.z * n.y));
+    s.zx -= fma(both * n.z, n.x, fma(taken.z, n.x, taken.x * n.z));
+  }
+};
+
+/// Breakage of blocks: see CrackPoint.
+struct Breakage : Elastic {
+  double tensile_strength = 0, fracture_energy = 0, cohesion = 0, friction = 0, shear_fracture_energy = not_given;
+
+  static constexpr const char* name = "breakage";
+  static constexpr const char* doc =
+      "Elastic until the largest principal stress or Mohr-Coulomb strength is reached; then the block breaks on a "
+      "plane whose direction stays: it opens and slides, closes again with full stiffness, and keeps its friction. "
+      "Concrete and rock that crack.";
+  static inline const LawKey<Breakage> keys[] = {
+      young_key<Breakage>,
+      poisson_key<Breakage>,
+      expansion_key<Breakage>,
+      {"tensile_strength", &Breakage::tensile_strength, dimension::pressure, range::positive, {},
+       "largest principal stress, at most cohesion / tan(friction)"},
+      {"fracture_energy", &Breakage::fracture_energy, dimension::fracture_energy, range::positive, {},
+       "energy that a unit area of crack takes to open, whatever the size of the blocks; it limits that size"},
+      {"cohesion", &Breakage::cohesion, dimension::pressure, range::positive, {},
+       "shear strength without normal stress"},
+      {"friction", &Breakage::friction, dimension::none, Range{0, 1.55}, {},
+       "friction angle (rad, or *deg), of the unbroken block and on its crack"},
+      {"shear_fracture_energy", &Breakage::shear_fracture_energy, dimension::fracture_energy, range::positive,
+       not_given, "energy that a unit area takes to lose its cohesion by sliding, friction apart; as brittle as opening "
+                  "unless given"},
+  };
+
+  template <class Real>
+  CrackPoint<Real> prepare() const;
+  std::vector<LawComplaint> complaints() const;
+  double largest_length() const;
+  Breakage weakened(double factor) const;
+};
+
+}  // namespace ashlar

@@ -1,0 +1,37 @@
+#pragma once
+#include "physics/laws/plastic.hpp"
+
+/// What laws share that lose their strength by cracking.
+namespace ashlar {
+
+/// Linear softening of a point, in units of the strength and of the strain at which it is reached: 1 - damage times
+/// what an undamaged point would carry, `used`, falls from 1 at used = 1 to 0 at used = ratio.
+template <class Real>
+struct Softening {
+  Real ratio;
+  /// Faster than this and the point itself would snap back; `check` refuses blocks long before.
+  static constexpr double least_ratio = 1.001;
+  ASHLAR_HD explicit Softening(Real r) : ratio(larger(r, Real(least_ratio))) {}
+  ASHLAR_HD Real damage(Real used) const {
+    if (!(used > Real(1))) return Real(0);
+    return used < ratio ? Real(1) - (ratio - used) / (used * (ratio - Real(1))) : Real(1);
+  }
+  /// Energy that is gone at this damage, in units of strength squared over stiffness; ratio / 2 at the end.
+  ASHLAR_HD Real released(Real damage) const {
+    const Real used = ratio / fma(Real(1) - damage, ratio - Real(1), Real(1));
+    return Real(0.5) * damage * used;
+  }
+};
+
+/// Where softening ends: what Softening takes as ratio, times the length of the element across the crack.
+inline double softening_length(double modulus, double energy, double strength) {
+  return 2 * modulus * energy / (strength * strength);
+}
+
+template <class T>
+ASHLAR_HD Vec3<T> traction(const Sym3<T>& s, const Vec3<T>& n) {
+  return {fma(s.zx, n.z, fma(s.xy, n.y, s.xx * n.x)), fma(s.yz, n.z, fma(s.yy, n.y, s.xy * n.x)),
+          fma(s.zz, n.z, fma(s.yz, n.y, s.zx * n.x))};
+}
+
+}  // namespace ashlar
