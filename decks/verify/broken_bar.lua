@@ -1,4 +1,4 @@
--- Case: a bar pulled apart takes the fracture energy times its area, whatever the size and the shape of the blocks; one
+-- Case breakage: a bar pulled apart takes the fracture energy times its area, whatever the size and the shape of the blocks; one
 --   layer near the middle is 4 % weaker, so that the crack goes there.
 -- Source: definition of the fracture energy (Hillerborg, Modeer & Petersson 1976); strength on the way.
 -- Accept: 3 %; peak force 1 %.

@@ -1,4 +1,4 @@
--- Case: a broken block pulled, pushed and pulled again: its crack closes with the full stiffness and opens on the secant.
+-- Case breakage: a broken block pulled, pushed and pulled again: its crack closes with the full stiffness and opens on the secant.
 -- Source: closed form of linear softening: at opening strain e the stress is T (e_u - e') / e_u, and in compression E e.
 -- Accept: 0.1 %.
 -- Runs: elements=hex8 | elements=wedge6 | elements=tet4

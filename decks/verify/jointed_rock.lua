@@ -1,4 +1,4 @@
--- Case: rock with close joints between rigid sides: flat joints sheared under compression slip and, as they cannot rise
+-- Case jointed: rock with close joints between rigid sides: flat joints sheared under compression slip and, as they cannot rise
 --   by tan(psi) of their slip, press harder; joints that dip slip on their own plane when the block is squeezed.
 -- Source: closed form: on the plane slip = (|shear| + normal tan(phi) - c) / (G + M tan(psi) tan(phi)), M oedometric;
 --   elastic beside it.

@@ -87,7 +87,12 @@ std::vector<std::string> estimate_effort(const Problem& problem, const std::vect
                                     : rest_steps * across);
       step = (searches ? search_over_force : relaxation_over_force) * seconds.force;
       words = "about " + rounded(steps) + " steps";
-      if (fracture)
+      if (std::holds_alternative<StrengthReduction>(stage.solve)) {
+        const long most = relaxation.max_steps > 0 ? relaxation.max_steps : usual_trial_steps;
+        step = relaxation_over_force * seconds.force;
+        steps = static_cast<double>(most) * increments;
+        words = "up to " + count_text(most) + " steps for each of " + std::to_string(increments) + " factors";
+      } else if (fracture)
         after = text(", for each of %d increments and of the crack events", increments);
       else if (increments > 1)
         words += text(" for each of %d increments", increments), steps *= increments;

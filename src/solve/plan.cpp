@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "solve/dynamic.hpp"
 #include "solve/recorder.hpp"
@@ -23,7 +24,8 @@ StagePlan plan_stage(Problem& problem, int number) {
   mechanical_conditions(problem, number);
   if (const auto* solve = std::get_if<StaticSolve>(&stage.solve)) return {0, 0, static_increments(problem, *solve)};
   if (const auto* solve = std::get_if<FractureSolve>(&stage.solve)) return {0, 0, solve->increments};
-  if (std::holds_alternative<StrengthReduction>(stage.solve)) return {0, 0, 1};
+  if (const auto* solve = std::get_if<StrengthReduction>(&stage.solve))
+    return {0, 0, 2 + std::max(0, static_cast<int>(std::ceil(std::log2((solve->high - solve->low) / solve->width))))};
   const MotionSteps steps = motion_steps(problem, stage);
   return {steps.count, steps.length};
 }

@@ -6,6 +6,9 @@
 /// What a run will do, found without solving.
 namespace ashlar {
 
+/// Steps of one factor of a strength reduction, before it counts as falling, unless given.
+inline constexpr long usual_trial_steps = 20000;
+
 struct StagePlan {
   long steps = 0;        ///< dynamic and transient thermal stages; 0: only solving tells
   double time_step = 0;  ///< s, of these

@@ -429,7 +429,6 @@ class Run {
   }
 
   static constexpr long max_static_events = 100000;
-  static constexpr long usual_trial_steps = 20000;  // of one factor of a strength reduction, before it counts as falling
 
   Problem& problem_;
   Observer& observer_;
