@@ -454,9 +454,9 @@ const std::vector<NounRule>& nouns() {
        .kind = NounKind::solve,
        .naming = Naming::none,
        .doc = "The safety factor: by what the strength of all materials and interfaces (cohesion, tan(friction), tensile "
-              "strength) can be divided until no equilibrium is found under the loads that act, by halving the "
-              "interval. Results show the last state that stands; later stages go on from before it, with full "
-              "strength.",
+              "strength) can be divided until no equilibrium is found under the loads that act (in 20 000 steps, or "
+              "max_steps), by halving the interval. Results show the last state that stands; later stages go on from "
+              "before it, with full strength.",
        .keys = Keys{key("between", Type::interval, "{ lowest, highest } factor to look between; { 1, 4 } unless given"),
                     number("width", dimension::none, Range{1e-4, 1}, "of the interval at the end").otherwise(0.01)} +
                relaxation_keys(),
