@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "physics/laws/softening.hpp"
+#include "physics/laws/plastic.hpp"
 
 namespace ashlar {
 

@@ -50,6 +50,13 @@ ASHLAR_HD Sym3<V> plastic_stress(const Law& law, const Sym3<V>& strain, History&
   return stress;
 }
 
+/// On a plane with this normal.
+template <class T>
+ASHLAR_HD Vec3<T> traction(const Sym3<T>& s, const Vec3<T>& n) {
+  return {fma(s.zx, n.z, fma(s.xy, n.y, s.xx * n.x)), fma(s.yz, n.z, fma(s.yy, n.y, s.xy * n.x)),
+          fma(s.zz, n.z, fma(s.yz, n.y, s.zx * n.x))};
+}
+
 /// The two invariants that cones are made of.
 template <class V>
 struct Invariants {

@@ -28,10 +28,4 @@ inline double softening_length(double modulus, double energy, double strength) {
   return 2 * modulus * energy / (strength * strength);
 }
 
-template <class T>
-ASHLAR_HD Vec3<T> traction(const Sym3<T>& s, const Vec3<T>& n) {
-  return {fma(s.zx, n.z, fma(s.xy, n.y, s.xx * n.x)), fma(s.yz, n.z, fma(s.yy, n.y, s.xy * n.x)),
-          fma(s.zz, n.z, fma(s.yz, n.y, s.zx * n.x))};
-}
-
 }  // namespace ashlar
