@@ -161,6 +161,30 @@ TEST(Solid, FacetsOfManyCornersAreCut) {
   EXPECT_NEAR(enclosed_volume(surface), 1, 1e-15);
 }
 
+TEST(Solid, FilesThatAnnounceMoreThanTheyHoldAreRefused) {
+  const auto said = [](const std::string& extension, const std::string& text) {
+    const std::string path = ::testing::TempDir() + "facets" + extension;
+    std::ofstream(path) << text;
+    return complaint([&] { read_facets(path, {"dam.lua", 3}); });
+  };
+  const std::string three = "0 0 0\n1 0 0\n0 1 0\n", fine = "OFF\n# a facet\n3 1 0\n" + three + "3 0 1 2 255 0 0\n";
+  EXPECT_EQ(said(".off", fine), "");
+  EXPECT_SAYS(said(".off", "OFF\n3 1 0\n" + three + "-2147483648 0 1 2\n"),
+              "facets.off:6: expected the number of corners");
+  EXPECT_SAYS(said(".off", "OFF\n3 1 0\n" + three + "2000000000 0 1 2\n"),
+              "facets.off:6: the number of corners of facet 1");
+  EXPECT_SAYS(said(".off", "OFF\n4000000000 1 0\n" + three), "facets.off:2: the number of points is 4000000000");
+  EXPECT_SAYS(said(".off", "OFF\n3 1 0\n" + three + "3 0 1 3\n"), "facet 1 has a corner that the file does not give");
+  EXPECT_SAYS(said(".off", "OFF\n3 2 0\n" + three + "3 0 1 2\n"), "expected facet 2 of 2, but the file ends here");
+  EXPECT_SAYS(said(".off", "COFF\n3 1 0\n" + three + "3 0 1 2\n"), "only the text kind");
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string end = " vertex_indices\nend_header\n" + three + "3 0 1 2\n";
+  EXPECT_EQ(said(".ply", head + "element face 1\nproperty list uchar int" + end), "");
+  EXPECT_SAYS(said(".ply", head + "element face 4000000000\nproperty list uchar int" + end), "facets.ply:7");
+  EXPECT_SAYS(said(".ply", head + "element face 1\nproperty list int int" + end), "by one byte");
+}
+
 TEST(Solid, ASurfaceThatTouchesItselfAtAPointIsRefused) {
   // A cube whose dented top reaches down to the middle of its floor.
   FacetSurface s;

@@ -17,7 +17,7 @@
 #include <numbers>
 
 #include "model/mesher/closed_surface.hpp"
-#include "model/place_text.hpp"
+#include "model/mesher/facet_soup.hpp"
 
 namespace ashlar {
 
@@ -60,60 +60,16 @@ class CellSize {
   double size_, grow_;
 };
 
-/// The corner from which a fan of triangles covers a polygon; -1 if there is none.
-int fan_start(const std::vector<Vec3<double>>& corners) {
-  const int n = static_cast<int>(corners.size());
-  Vec3<double> normal;
-  for (int i = 1; i + 1 < n; ++i) normal = normal + cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
-  for (int start = 0; start < n; ++start) {
-    bool covers = true;
-    for (int i = 1; i + 1 < n; ++i) {
-      const auto &a = corners[start], &b = corners[(start + i) % n], &c = corners[(start + i + 1) % n];
-      covers = covers && dot(cross(b - a, c - a), normal) > 0;
-    }
-    if (covers) return start;
-  }
-  return -1;
-}
-
 }  // namespace
 
-FacetSurface read_facets(const std::string& path, const Where& where) {
+FacetSoup read_facet_soup(const std::string& path) {
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
-  if (!CGAL::IO::read_polygon_soup(path, points, polygons) || polygons.empty())
-    throw DeckError(where, path + ": no facets can be read; is the file whole, and of the kind that its name says? " +
-                               "Valid: .stl, .off, .obj, .ply");
-  FacetSurface surface;
-  std::map<std::array<double, 3>, int> known;
-  Complaints complaints;
-  for (std::size_t f = 0; f < polygons.size(); ++f) {
-    const auto facet = path + ": facet " + std::to_string(f + 1);
-    std::vector<int> nodes;
-    std::vector<Vec3<double>> corners;
-    for (const std::size_t corner : polygons[f]) {
-      if (corner >= points.size())
-        throw DeckError(where, facet + " has a corner that the file does not give; it gives " +
-                                   std::to_string(points.size()) + " points");
-      const auto p = place_of(points[corner]);
-      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-        throw DeckError(where, facet + " has a corner that is no finite place, " + place_text(p));
-      const auto [at, fresh] = known.try_emplace({p.x, p.y, p.z}, static_cast<int>(surface.points.size()));
-      if (fresh) surface.points.push_back(p);
-      nodes.push_back(at->second);
-      corners.push_back(p);
-    }
-    const int n = static_cast<int>(nodes.size()), start = n > 3 ? fan_start(corners) : n < 3 ? -1 : 0;
-    if (start < 0)
-      throw DeckError(where, facet + " with " + std::to_string(n) + " corners" +
-                                 (n ? ", the first at " + place_text(corners[0]) + "," : "") +
-                                 " cannot be cut into triangles from one corner; give it as triangles");
-    for (int i = 1; i + 1 < n; ++i) {
-      surface.triangles.push_back({nodes[start], nodes[(start + i) % n], nodes[(start + i + 1) % n]});
-      surface.facets.push_back(static_cast<int>(f) + 1);
-    }
-  }
-  return surface;
+  if (!CGAL::IO::read_polygon_soup(path, points, polygons)) return {};
+  FacetSoup soup;
+  for (const auto& p : points) soup.points.push_back(place_of(p));
+  for (const auto& polygon : polygons) soup.facets.emplace_back(polygon.begin(), polygon.end());
+  return soup;
 }
 
 std::vector<std::pair<int, int>> self_intersections(const FacetSurface& surface) {
