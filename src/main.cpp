@@ -23,6 +23,7 @@ int main(int count, char** words) {
   wait_politely(words);
   using namespace ashlar;
   const std::map<std::string, std::function<int(const Arguments&)>> commands = {
+      {"new", new_command},
       {"run", run_command},     {"check", check_command}, {"export", export_command},   {"plot", plot_command},
       {"material", material_command},
       {"compare", compare_command},

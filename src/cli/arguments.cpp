@@ -25,7 +25,8 @@ const std::vector<Option>& options() {
       {"--elements", "N", "one size of about N elements instead of the usual ones"},
       {"--out", "DIR", "folder for the results (DECK without .lua, plus .run)"},
       {"--force", "", "replaces the results of an earlier run, or an exported file"},
-      {"--to", "FILE", "file to export to: .msh (Gmsh), .vtu (ParaView), .inp (CalculiX, Abaqus); curves of material: .csv"},
+      {"--to", "FILE",
+       "file to export to: .msh (Gmsh), .vtu (ParaView), .inp (CalculiX, Abaqus); curves of material: .csv"},
       {"--confining", "P,P,...", "pressures of the triaxial tests of material, MPa (1,5)"},
       {"--tolerance", "T", "compare: largest relative difference that exit code 0 allows, beyond it 4 (0: the same bits)"},
       {"--line", "X,Y,Z,X,Y,Z", "compare: a table along a straight line from one point to another, m"},
@@ -35,6 +36,16 @@ const std::vector<Option>& options() {
       {"--strain", "E", "largest strain of the tests of material (until flow goes on)"},
   };
   return all;
+}
+
+std::string column(std::string text) {
+  constexpr std::size_t width = 28;
+  text.resize(std::max(width, text.size() + 1), ' ');
+  return text;
+}
+
+std::string option_line(const Option& option) {
+  return "  " + column(option.name + (option.value.empty() ? "" : " " + option.value)) + option.doc + "\n";
 }
 
 const Verb& verb_named(const std::string& word) {
@@ -131,7 +142,13 @@ void take_option(Arguments& arguments, const std::string& name, const std::strin
 
 std::span<const Verb> verbs() {
   static const std::vector<Verb> all = {
-      {"run", "DECK", 1, 1, {"--set", "--device", "--precision", "--threads", "--out", "--force"}, "solves a deck and writes its results"},
+      {"new", "NAME", 1, 1, {}, "writes NAME.lua, a commented deck to start from: a dam on rock"},
+      {"run",
+       "DECK",
+       1,
+       1,
+       {"--set", "--device", "--precision", "--threads", "--out", "--force"},
+       "solves a deck and writes its results"},
       {"check", "DECK", 1, 1, {"--set"}, "reads a deck and shows mesh, contacts and plan without solving"},
       {"export",
        "DECK",
@@ -159,7 +176,7 @@ std::span<const Verb> verbs() {
        {"--tolerance", "--line", "--stage", "--of"},
        "how far two runs (folders or result files) of one mesh are apart, field by field and stage by stage"},
       {"bench", "[WORK]", 0, 1, {"--device", "--threads", "--elements", "--out"}, "measures element-steps per second: elastic, crackable, heat; all of them unless one is named"},
-      {"help", "[NOUN]", 0, 1, {}, "this page, or the keys of a noun of the deck language"},
+      {"help", "[NOUN]", 0, 1, {}, "this page, the keys of a noun of the deck language, or the options of a command"},
       {"version", "", 0, 0, {}, "the version"},
   };
   return all;
@@ -207,20 +224,28 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
   return arguments;
 }
 
+std::string usage_of(const std::string& name) {
+  for (const Verb& verb : verbs()) {
+    if (verb.name != name) continue;
+    std::string page = "usage: ashlar " + verb.name + (verb.operands.empty() ? "" : " " + verb.operands) +
+                       (verb.options.empty() ? "" : " [options]") + "\n\n" + verb.doc + "\n\n";
+    for (const Option& option : options())
+      if (std::find(verb.options.begin(), verb.options.end(), option.name) != verb.options.end())
+        page += option_line(option);
+    return page;
+  }
+  return "";
+}
+
 std::string usage_page() {
-  const auto column = [](std::string text, std::size_t width) {
-    text.resize(std::max(width, text.size() + 1), ' ');
-    return text;
-  };
   std::string page = "usage: ashlar COMMAND [operands] [options]\n\n";
   for (const Verb& verb : verbs())
-    page += "  " + column(verb.name + (verb.operands.empty() ? "" : " " + verb.operands), 28) + verb.doc + "\n";
+    page += "  " + column(verb.name + (verb.operands.empty() ? "" : " " + verb.operands)) + verb.doc + "\n";
   page += "\noptions of run; check takes --set, export --to, --set and --force, "
           "bench --device, --threads, --elements and --out,\n"
           "compare --tolerance, --line, --stage and --of,\n"
           "material --set, --confining, --size, --strain, --to and --force\n";
-  for (const Option& option : options())
-    page += "  " + column(option.name + (option.value.empty() ? "" : " " + option.value), 28) + option.doc + "\n";
+  for (const Option& option : options()) page += option_line(option);
   page +=
       "\nexit codes: 0 done, 1 error in the program, 2 wrong deck or command, 3 not converged, 4 an expect failed,\n"
       "            5 memory, disk or device missing, 130 interrupted\n";

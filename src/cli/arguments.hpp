@@ -52,5 +52,7 @@ std::span<const Verb> verbs();
 
 /// The page that `ashlar help` prints above the nouns.
 std::string usage_page();
+/// What one command does, with its options; empty if there is no such command.
+std::string usage_of(const std::string& verb);
 
 }  // namespace ashlar

@@ -35,10 +35,10 @@ void describe_mesh(Page& page, const Model& model, const MeshQuality& quality) {
   Vec3<double> low = mesh.points[0], high = low;
   for (const auto& p : mesh.points)
     for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
-  page.line("mesh", "from " + place_text(low) + " to " + place_text(high));
+  page.line("mesh", "from " + place_in_metres(low) + " to " + place_in_metres(high));
   const auto worst = [&](const WorstElement& w, const char* format) {
     return text(format, w.value) + text(": element %ld of ", mesh.source_ids[w.element]) +
-           mesh.region_names[mesh.regions[w.element]] + " at " + place_text(w.place);
+           mesh.region_names[mesh.regions[w.element]] + " at " + place_in_metres(w.place);
   };
   page.line("quality", worst(quality.smallest_edge, "smallest edge %.4g m"));
   page.line("quality", worst(quality.worst_aspect, "largest aspect ratio %.3g"));

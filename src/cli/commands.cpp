@@ -7,9 +7,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "backend/device.hpp"
 #include "cli/check_report.hpp"
 #include "cli/page.hpp"
-#include "backend/device.hpp"
 #include "cli/plot.hpp"
 #include "cli/summary.hpp"
 #include "cli/wording.hpp"
@@ -53,10 +53,9 @@ int info_command(const Arguments& arguments) {
 }
 
 int help_command(const Arguments& arguments) {
-  if (arguments.operands.empty())
-    std::fputs((usage_page() + "\n" + help_index()).c_str(), stdout);
-  else
-    std::fputs(help(arguments.operands[0]).c_str(), stdout);
+  const std::string usage =
+      arguments.operands.empty() ? usage_page() + "\n" + help_index() : usage_of(arguments.operands[0]);
+  std::fputs((usage.empty() ? help(arguments.operands[0]) : usage).c_str(), stdout);
   return 0;
 }
 

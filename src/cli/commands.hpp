@@ -4,6 +4,7 @@
 /// The verbs of the program. Each returns an exit code, or throws DeckError, UsageError, ResourceError.
 namespace ashlar {
 
+int new_command(const Arguments& arguments);
 int run_command(const Arguments& arguments);
 int check_command(const Arguments& arguments);
 int export_command(const Arguments& arguments);

@@ -35,7 +35,7 @@ std::vector<std::string> left_out(const Model& model) {
   const bool breakable = !model.interfaces.empty();
   if (has_condition<WaterPressure>(model)) {
     list.push_back(has_condition<Uplift>(model)
-                       ? "uplift inside: it acts on the faces given, not in joints, cracks and pores"
+                       ? "uplift inside: it acts on the faces given, not in cracks and pores"
                    : breakable ? "uplift: no water pressure acts in joints and cracks, nor in the pores"
                                : "uplift: no water pressure acts under the dam, nor in its pores");
     if (!water_rests_on_ground(model))

@@ -55,7 +55,7 @@ void ProgressLines::crack(const std::string& stage, const CrackEvent& event) {
   const std::string when =
       event.seconds > 0 ? text("after %.4g s", event.seconds) : text("at load factor %.4f", event.load_factor);
   print(text("stage %s: first crack %s, %s, in %s, at %s", stage.c_str(), when.c_str(), event.interface.c_str(),
-             event.mode.c_str(), place_text(event.place).c_str()));
+             event.mode.c_str(), place_in_metres(event.place).c_str()));
 }
 
 void ProgressLines::stage_ends(const StageResult& result) {

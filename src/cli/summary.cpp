@@ -16,7 +16,8 @@ void describe_initial(Page& page, const InitialBalance& initial) {
     return page.line("stage", text("  initial stress: out of balance by %.1e of its forces", initial.share));
   page.line("stage", text("  WARNING initial stress and loads are out of balance by %.2g %% of their forces, most at ",
                           100 * initial.share) +
-                         place_text(initial.place) + text(", %.3g N:", initial.largest));
+                         place_in_metres(initial.place) + text(", %.3g N:", initial.largest));
+  page.line("stage", "    as it should be where the model leaves out ground that has been dug away, as in a tunnel; else:");
   page.line("stage", "    is gravity given, are level, unit weight and k0 those of the ground, are its sides held?");
 }
 
@@ -46,7 +47,7 @@ std::string event_text(const CrackEvent& event) {
   const std::string when =
       event.seconds > 0 ? text("after %.4g s", event.seconds) : text("load factor %.4f", event.load_factor);
   return text("%s, %s, in %s, at %s", when.c_str(), event.interface.c_str(), event.mode.c_str(),
-              place_text(event.place).c_str());
+              place_in_metres(event.place).c_str());
 }
 
 void describe_cracks(Page& page, const StageResult& stage) {

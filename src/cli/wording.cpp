@@ -40,7 +40,7 @@ std::string counted(long count, const std::string& word) {
   return count_text(count) + " " + word + (count == 1 ? "" : "s");
 }
 
-std::string place_text(const Vec3<double>& place) {
+std::string place_in_metres(const Vec3<double>& place) {
   const auto tidy = [](double v) {
     return std::round(v * 1000) / 1000 + 0.0;
   };  // no "-0", no digits below a millimetre

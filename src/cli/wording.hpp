@@ -19,7 +19,7 @@ std::string count_text(long count);
 std::string counted(long count, const std::string& word);
 
 /// "(8, 6, 0) m".
-std::string place_text(const Vec3<double>& place);
+std::string place_in_metres(const Vec3<double>& place);
 
 /// Force or mass with a decimal prefix: "3.563 GN", "418.1 MN", "42 624 t" for masses.
 std::string force_text(double newton);

@@ -172,7 +172,7 @@ class Assembly {
                           "surface '" + choice.name +
                               "': there is a surface of this name already, from a mesh file or an earlier " +
                               "declaration; choose another name");
-        mesh_.surfaces.push_back({choice.name, select_surface(mesh_, faces, choice)});
+        mesh_.surfaces.push_back({choice.name, select_surface(mesh_, faces, choice, model_.interfaces)});
       } catch (const DeckError& error) {
         lines.insert(lines.end(), error.lines().begin(), error.lines().end());
       }

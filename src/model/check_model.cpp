@@ -65,6 +65,12 @@ class ModelCheck {
     if (!model_.mesh.find_surface(name))
       complaints_.add(where, who + ": there is no surface '" + name + "'" + suggest_name(name, surfaces_));
   }
+  void outer(const std::string& name, const Where& where, const std::string& who) {
+    for (const SurfaceChoice& choice : model_.surfaces)
+      if (choice.name == name && !choice.joint.empty())
+        complaints_.add(where, who + ": acts on outer faces; surface '" + name + "' lies in joint '" + choice.joint +
+                                   "', where pressures act, such as uplift");
+  }
   void stage(const std::string& name, const Where& where, const std::string& who) {
     if (std::find(stages_.begin(), stages_.end(), name) == stages_.end())
       complaints_.add(where, who + ": there is no stage '" + name + "'" + suggest_name(name, stages_));
@@ -133,7 +139,10 @@ class ModelCheck {
   void condition_references() {
     for (const auto& c : model_.conditions) {
       const std::string who = title(c.noun, c.name);
-      for (const auto& name : c.surfaces) surface(name, c.where, who);
+      for (const auto& name : c.surfaces) {
+        surface(name, c.where, who);
+        if (!is_surface_load(c) || std::holds_alternative<Traction>(c.kind)) outer(name, c.where, who);
+      }
       if (std::holds_alternative<Uplift>(c.kind)) uplift(c);
       if (const auto* load = std::get_if<PointLoad>(&c.kind)) inside(load->at, c.where, who);
       if (const auto* source = std::get_if<HeatSource>(&c.kind))

@@ -25,6 +25,9 @@ class Doubts {
     }
     for (const Interface& i : model_.interfaces)
       constants(i.where, (i.crackable ? "crackable '" : "joint '") + i.name + "'", i.values);
+    for (const InitialStress& stress : model_.initial_stresses) initial(stress);
+    for (const Stage& stage : model_.stages)
+      if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve)) transient(stage, *thermal);
     temperature(model_.where, "model", "reference_temperature", model_.reference_temperature);
     for (const Condition& condition : model_.conditions) {
       const std::string who = condition.noun + (condition.name.empty() ? "" : " '" + condition.name + "'");
@@ -45,9 +48,9 @@ class Doubts {
   /// Usual values lie between `low` and `high`; 0 stands for something that is not there.
   void quantity(const Where& where, const std::string& who, const std::string& key, double value, double low,
                 double high, const std::string& unit, const std::string& example) {
-    if (value == 0 || (value >= low && value <= high)) return;
+    if (value == 0 || (std::abs(value) >= low && std::abs(value) <= high)) return;
     add(where, who + ": '" + key + "' is " + number_text(value) + " " + unit + ", unusually " +
-                   (value < low ? "small" : "large") + "; bare numbers are " + unit + ", as in " + example);
+                   (std::abs(value) < low ? "small" : "large") + "; bare numbers are " + unit + ", as in " + example);
   }
 
   void constants(const Where& where, const std::string& who, const std::map<std::string, double>& values) {
@@ -61,6 +64,25 @@ class Doubts {
     look("cohesion", 100, 1e10, "Pa", "2*MPa");
     look("normal_stiffness", 1e5, 1e16, "Pa/m", "100*GPa/m");
     look("shear_stiffness", 1e5, 1e16, "Pa/m", "100*GPa/m");
+  }
+
+  void initial(const InitialStress& stress) {
+    const std::string who = stress.name.empty() ? "initial_stress" : "initial_stress '" + stress.name + "'";
+    constexpr const char* names[] = {"xx", "yy", "zz", "xy", "yz", "zx"};
+    for (int i = 0; i < 6; ++i)
+      if (!stress.in_situ && !stress.components[i].at)
+        quantity(stress.where, who, names[i], stress.components[i].constant, 1000, 1e10, "Pa", "-5*MPa");
+    if (!stress.in_situ && !stress.components[2].at && stress.components[2].constant > 0)
+      add(stress.where, who + ": 'zz' is positive, tension; ground that is pressed has negative stress");
+    if (stress.in_situ) quantity(stress.where, who, "vertical", stress.in_situ->vertical, 1000, 1e10, "Pa", "-5*MPa");
+  }
+
+  /// Heat reaches (conductivity / (density heat_capacity) time)^(1/2) deep: in concrete 1 cm in about two minutes.
+  void transient(const Stage& stage, const ThermalSolve& thermal) {
+    constexpr double short_time = 1000, large = 1;  // s, m
+    if (thermal.steady || thermal.duration >= short_time || extent() < large) return;
+    add(stage.where, "stage '" + stage.name + "': 'duration' is " + number_text(thermal.duration) +
+                         " s, too short for heat to go deep; bare numbers are s, as in 100*days");
   }
 
   void given(const Where& where, const std::string& who, const char* key, const Value& value) {
@@ -92,13 +114,19 @@ class Doubts {
                                number_text(lowest) + " m up; it loads next to nothing");
   }
 
-  void size() {
+  /// Of the longest side of the box around the model, m.
+  double extent() const {
     double longest = 0;
     for (int i = 0; i < 3; ++i) {
       const auto [low, high] = std::minmax_element(model_.mesh.points.begin(), model_.mesh.points.end(),
                                                    [i](const auto& a, const auto& b) { return a[i] < b[i]; });
       if (low != model_.mesh.points.end()) longest = std::max(longest, (*high)[i] - (*low)[i]);
     }
+    return longest;
+  }
+
+  void size() {
+    const double longest = extent();
     if (longest <= 20e3 && longest >= 5e-3) return;
     const Where& where = model_.imports.empty() ? model_.where : model_.imports[0].where;
     add(where, "the model is " + number_text(longest) + " m long; lengths are in m" +

@@ -84,6 +84,7 @@ struct SurfaceChoice {
   std::optional<std::array<Vec3<double>, 2>> box;                 ///< facet centroid inside [low, high]
   std::optional<std::pair<Vec3<double>, Vec3<double>>> plane;     ///< point, normal: all corners on the plane within 1e-6 of the model size
   std::vector<std::string> group;             ///< surfaces already in the mesh (file groups) to take the facets from; empty: all outer faces
+  std::string joint;                          ///< the faces of this joint on both sides instead, for pressures in it
 };
 
 // ---------------------------------------------------------------- materials and interfaces
@@ -199,6 +200,7 @@ struct ThermalSolve {
   bool steady = false;
   double duration = 0;                        ///< s, transient
   double tolerance = 1e-10;                   ///< steady: residual norm over its start
+  double record_every = 0;                    ///< s between history rows of a transient; 0: a hundredth of the duration
 };
 /// Temperature change from the end of stage `from` (or the reference temperature if empty) to the end of stage `to`, applied on
 /// top of the state reached, in `increments` of the load factor, with crack events.

@@ -55,8 +55,9 @@ std::vector<Facet> without_repeats(const std::vector<Facet>& facets) {
 
 class Selection {
  public:
-  Selection(const Mesh& mesh, const FaceGraph& faces, const SurfaceChoice& choice)
-      : mesh_(mesh), faces_(faces), choice_(choice), size_(mesh.extent()) {}
+  Selection(const Mesh& mesh, const FaceGraph& faces, const SurfaceChoice& choice,
+            std::span<const Interface> interfaces)
+      : mesh_(mesh), faces_(faces), choice_(choice), interfaces_(interfaces), size_(mesh.extent()) {}
 
   std::vector<Facet> run() {
     find_regions();
@@ -93,7 +94,30 @@ class Selection {
   }
   bool listed(const Facet& f) const { return listed_[mesh_.regions[f.element]]; }
 
+  /// The regions that the joint ties.
+  std::array<int, 2> tied_regions() const {
+    std::vector<std::string> names;
+    for (const Interface& i : interfaces_) {
+      if (i.crackable) continue;
+      if (i.name == choice_.joint) return {mesh_.find_region(i.regions[0]), mesh_.find_region(i.regions[1])};
+      names.push_back(i.name);
+    }
+    throw DeckError(choice_.where, "surface '" + choice_.name + "': there is no joint '" + choice_.joint + "'" +
+                                       suggest_name(choice_.joint, names));
+  }
+
+  void take_faces_of_joint() {
+    const auto [one, other] = tied_regions();
+    for (const auto& [a, b] : faces_.inner) {
+      const int at_a = mesh_.regions[a.element], at_b = mesh_.regions[b.element];
+      if (!(at_a == one && at_b == other) && !(at_a == other && at_b == one)) continue;
+      if (listed(a)) facets_.push_back(a);
+      if (listed(b)) facets_.push_back(b);
+    }
+  }
+
   void take_candidates() {
+    if (!choice_.joint.empty()) return take_faces_of_joint();
     if (choice_.group.empty()) {
       std::copy_if(faces_.outer.begin(), faces_.outer.end(), std::back_inserter(facets_),
                    [&](const Facet& f) { return listed(f); });
@@ -113,6 +137,8 @@ class Selection {
   }
 
   std::string nothing_to_choose_from() const {
+    if (!choice_.joint.empty())
+      return "the joint '" + choice_.joint + "' has no faces" + (choice_.of.empty() ? "" : " of " + quoted(choice_.of));
     if (!choice_.group.empty())
       return "no face of the group " + quoted(choice_.group) + " belongs to " + quoted(choice_.of);
     std::set<std::string> neighbours;
@@ -120,7 +146,8 @@ class Selection {
       if (listed(a) != listed(b))
         neighbours.insert(mesh_.region_names[mesh_.regions[listed(a) ? b.element : a.element]]);
     return "all faces of " + quoted(choice_.of) + " lie inside the model, against " +
-           quoted({neighbours.begin(), neighbours.end()}) + "; surfaces are outer faces";
+           quoted({neighbours.begin(), neighbours.end()}) +
+           "; surfaces are outer faces, or those of a joint: joint = \"...\"";
   }
 
   /// A hint if faces towards regions that are not listed would have passed the filter.
@@ -132,7 +159,9 @@ class Selection {
       if (keep(own))
         return "; faces that fit lie inside the model, against '" +
                mesh_.region_names[mesh_.regions[listed(a) ? b.element : a.element]] + "', at " +
-               place_text(mesh_.facet_centroid(own)) + ": surfaces are outer faces";
+               place_text(mesh_.facet_centroid(own)) +
+               ": surfaces are outer faces; for pressure between two regions tie them by a joint and take its faces, "
+               "joint = \"...\"";
     }
     return "";
   }
@@ -248,6 +277,7 @@ class Selection {
   const Mesh& mesh_;
   const FaceGraph& faces_;
   const SurfaceChoice& choice_;
+  std::span<const Interface> interfaces_;
   double size_;
   std::vector<char> listed_;  ///< by region
   std::vector<Facet> facets_;
@@ -255,8 +285,9 @@ class Selection {
 
 }  // namespace
 
-std::vector<Facet> select_surface(const Mesh& mesh, const FaceGraph& faces, const SurfaceChoice& choice) {
-  return Selection(mesh, faces, choice).run();
+std::vector<Facet> select_surface(const Mesh& mesh, const FaceGraph& faces, const SurfaceChoice& choice,
+                                  std::span<const Interface> interfaces) {
+  return Selection(mesh, faces, choice, interfaces).run();
 }
 
 std::vector<Surface> region_sides(const Mesh& mesh, const FaceGraph& faces, int region) {

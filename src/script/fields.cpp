@@ -115,9 +115,8 @@ std::string number_complaint(const KeyRule& rule, const Quantity& q) {
     return found + "; temperatures are in degrees Celsius: write " + decimal_text(q.value - 273.15) +
            "*degC for this absolute temperature";
   if (rule.range.contains(q.value)) return "";
-  const bool angle = rule.dimension == Dimension{} && rule.doc.find("deg") != std::string::npos;
   return found + "; expected " + range_text(rule) +
-         (angle ? "; angles are in radians: write " + decimal_text(q.value) + "*deg" : "");
+         (rule.is_angle() ? "; angles are in radians: write " + decimal_text(q.value) + "*deg" : "");
 }
 
 class FieldReader {
@@ -179,16 +178,19 @@ class FieldReader {
   void unknown_keys(int table, const std::vector<KeyRule>& rules, const std::vector<LawDoc>& laws, const LawDoc* law) {
     std::vector<std::string> valid;
     for (const auto& rule : rules) valid.push_back(rule.name);
+    std::set<std::string> keys;  // in an order that every run has
     lua_pushnil(L_);
     while (lua_next(L_, table)) {
       lua_pop(L_, 1);
-      if (lua_type(L_, -1) != LUA_TSTRING) {
+      if (lua_type(L_, -1) == LUA_TSTRING) {
+        keys.insert(text_at(L_, -1));
+      } else {
         const auto position = to_quantity(L_, -1);
         complain(position ? decimal_text(position->value) : "",
                  "a value without a key; write key = value (keys: " + list(valid) + ")");
-        continue;
       }
-      const std::string key = text_at(L_, -1);
+    }
+    for (const std::string& key : keys) {
       if (std::find(valid.begin(), valid.end(), key) != valid.end()) continue;
       std::string owners;
       for (const auto& l : laws)
@@ -200,8 +202,10 @@ class FieldReader {
       } else if (!owners.empty()) {
         complain(key, "key '" + key + "' does not belong to law \"" + law->name + "\" but to " + owners);
       } else {
-        complain(key, "unknown key '" + key + "'" + suggest_name(key, valid));
-        misspelt_.insert(nearest_name(key, valid));
+        const std::string meant = key_meant(key, valid);
+        complain(key, "unknown key '" + key + "'" +
+                          (meant.empty() ? suggest_name(key, valid) : ": did you mean '" + meant + "'?"));
+        misspelt_.insert(meant);
       }
     }
   }
@@ -281,8 +285,23 @@ class FieldReader {
     return good;
   }
 
+  /// Whether the first entry is a pair of numbers, a corner.
+  bool is_outline(int index) const {
+    bool corner = false;
+    if (lua_rawgeti(L_, index, 1) == LUA_TTABLE && lua_rawlen(L_, -1) == 2) {
+      lua_rawgeti(L_, -1, 1);
+      corner = to_quantity(L_, lua_gettop(L_)).has_value();
+      lua_pop(L_, 1);
+    }
+    lua_pop(L_, 1);
+    return corner;
+  }
+
   void read_outlines(const KeyRule& rule, int index, std::vector<std::vector<std::array<double, 2>>>& into) {
     if (lua_type(L_, index) != LUA_TTABLE || lua_rawlen(L_, index) == 0) return wrong(rule, index);
+    if (is_outline(index))
+      return complain(rule.name, "'" + rule.name + "' is one outline; give a list of outlines, " + rule.name +
+                                     " = { outline }, as in " + rule.name + " = { { {x, z}, {x, z}, {x, z} } }");
     for (int i = 1; i <= static_cast<int>(lua_rawlen(L_, index)); ++i) {
       lua_rawgeti(L_, index, i);
       const int outline = lua_gettop(L_);
@@ -393,7 +412,8 @@ class FieldReader {
     } else {
       std::string complaint;
       const auto rows = rows_in_time(L_, given, complaint);
-      if (!complaint.empty()) refuse(complaint);
+      const bool other_table = complaint.starts_with("is a table, but");
+      if (!complaint.empty()) refuse(complaint + (other_table ? "; expected " + expected(rule) : ""));
       for (std::size_t i = 0; complaint.empty() && i < rows.size(); ++i) {
         const std::string row = "row " + std::to_string(i + 1) + ": the ";
         if (const auto found = number_complaint(time, rows[i][0]); !found.empty()) complaint = row + "time " + found;

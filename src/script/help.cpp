@@ -1,3 +1,5 @@
+#include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "base/nearest_name.hpp"
@@ -40,7 +42,7 @@ std::string headline(const std::string& doc) { return doc.substr(0, std::min(doc
 std::string form(const KeyRule& k) {
   const std::string unit = unit_symbol(k.dimension, k.dimension == dimension::temperature);
   switch (k.type) {
-    case KeyType::number: return k.any_dimension ? "value" : unit.empty() ? "number" : unit;
+    case KeyType::number: return k.any_dimension ? "value" : k.is_angle() ? "rad" : unit.empty() ? "number" : unit;
     case KeyType::integer: return "whole";
     case KeyType::flag: return "true/false";
     case KeyType::text: return "text";
@@ -64,6 +66,24 @@ std::string form(const KeyRule& k) {
   return "";
 }
 
+/// A number as the deck would write it.
+std::string deck_number(const KeyRule& k, double value) {
+  return k.is_angle() && value != 0 ? decimal_text(std::round(value * 180 / std::numbers::pi * 100) / 100) + "*deg"
+                                    : decimal_text(value);
+}
+
+/// What the range of a key says beyond what its kind does; empty where nothing is left.
+std::string range_note(const KeyRule& k) {
+  const bool low = std::isfinite(k.range.low), high = std::isfinite(k.range.high) && k.range.high < 1e6;
+  if (k.any_dimension || (!low && !high)) return "";
+  if (k.type == KeyType::integer && !high) return "";
+  if (low && high)
+    return (k.range.open_low ? "above " : "") + deck_number(k, k.range.low) +
+           (k.range.open_low ? ", at most " : " to ") + deck_number(k, k.range.high);
+  if (low) return (k.range.open_low ? "above " : "at least ") + deck_number(k, k.range.low);
+  return "at most " + deck_number(k, k.range.high);
+}
+
 std::string key_line(const KeyRule& k) {
   std::string line = padded("  " + k.name, 24) + padded(form(k), 20);
   std::string doc = k.doc;
@@ -72,14 +92,17 @@ std::string key_line(const KeyRule& k) {
     for (const auto& choice : k.choices) doc += (&choice == &k.choices.front() ? "\"" : ", \"") + choice + "\"";
   }
   if (k.in_time) doc += "; may change in time";
+  std::string facts = range_note(k);
+  const auto add = [&](const std::string& fact) { facts += (facts.empty() ? "" : "; ") + fact; };
   if (k.required)
-    doc += " (required)";
+    add("required");
   else if (!k.fallback_text.empty())
-    doc += " (default \"" + k.fallback_text + "\")";
+    add("default \"" + k.fallback_text + "\"");
   else if (k.fallback && k.type == KeyType::flag)
-    doc += *k.fallback != 0 ? " (default true)" : " (default false)";
+    add(*k.fallback != 0 ? "default true" : "default false");
   else if (k.fallback)
-    doc += " (default " + decimal_text(*k.fallback) + ")";
+    add("default " + deck_number(k, *k.fallback));
+  if (!facts.empty()) doc += " (" + facts + ")";
   return line + wrapped(doc, 44, line.size()) + "\n";
 }
 

@@ -82,7 +82,7 @@ std::vector<std::array<Quantity, 2>> rows_in_time(lua_State* L, int index, std::
       const std::string row = "row " + std::to_string(i);
       lua_rawgeti(L, index, i);
       if (!lua_istable(L, -1) || lua_rawlen(L, -1) != 2) {
-        complaint = "is a table in time, " + row + " is not { time, value }";
+        complaint = "is a table, but not one in time: " + row + " is not { time, value }";
         break;
       }
       const int pair = lua_gettop(L);

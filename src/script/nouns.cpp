@@ -111,6 +111,9 @@ int add_surface(const Call& c) {
   s.of = f.texts("of");
   s.side = f.texts("side");
   s.group = f.texts("group");
+  s.joint = f.text("joint");
+  if (!s.joint.empty() && (!s.group.empty() || !s.side.empty()))
+    c.complain("joint", "'joint' takes the faces of a joint; it does not go with 'group' or 'side'");
   if (f.has("facing")) s.facing = f.vector("facing");
   if (s.facing && norm(*s.facing) == 0) c.complain("facing", "'facing' is no direction: all three values are 0");
   s.within = f.number("within");
@@ -266,7 +269,10 @@ int add_solve(const Call& c) {
                                        f.maybe("time_factor").value_or(0), f.maybe("record_every").value_or(0)});
   } else if (c.noun.name == "thermal") {
     if (f.flag("steady") == f.has("duration")) c.complain("", "give either steady = true or a duration");
-    c.solves.emplace_back(ThermalSolve{f.flag("steady"), f.maybe("duration").value_or(0), f.number("tolerance")});
+    if (f.flag("steady") && f.has("record_every"))
+      c.complain("record_every", "'record_every' has no meaning for a steady state, which takes no time");
+    c.solves.emplace_back(ThermalSolve{f.flag("steady"), f.maybe("duration").value_or(0), f.number("tolerance"),
+                                       f.maybe("record_every").value_or(0)});
   } else {
     if (f.has("damping_value") && f.text("damping") == "adaptive")
       c.complain("damping_value",

@@ -218,6 +218,10 @@ void Sandbox::call(int arguments, int results, long instructions, const std::str
     message = (failed_at_.line ? failed_at_.prefix() : what + ": ") + "the deck needs more than " +
               megabytes(limits.memory) + " of memory";
   lua_pop(L_, 1);
+  if (message.find("got ashlar quantity") != std::string::npos)
+    message +=
+        "; a value with a unit becomes a plain number when it is divided by one: x/m. In a function of time t is a plain "
+        "number of seconds, and so is t*s/year one";
   std::vector<std::string> lines;
   std::istringstream split(message);
   for (std::string line; std::getline(split, line);) lines.push_back(line);

@@ -30,7 +30,8 @@ Keys operator+(Keys a, const Keys& b) {
 }
 
 KeyRule stress_key(const char* name) {
-  return key(name, Type::field, (std::string("component ") + name + "; 0 unless given").c_str()).in(dimension::pressure);
+  return key(name, Type::field, (std::string("component ") + name + "; 0 unless given").c_str())
+      .in(dimension::pressure);
 }
 
 /// Above absolute zero; 283 given for 10 degC falls inside, so K is refused where degC is meant.
@@ -38,7 +39,9 @@ constexpr Range celsius{-273.15, 5000};
 
 KeyRule region_key(const char* doc) { return key("region", Type::names, doc).need(); }
 KeyRule surface_key() {
-  return key("surface", Type::names, "surfaces where it acts: declared with `surface`, or groups of the mesh file")
+  return key("surface", Type::names,
+             "surfaces where it acts: declared with `surface`, sides of regions such as \"dam.bottom\" (left, right, "
+             "front, back, bottom, top), or groups of the mesh file")
       .need();
 }
 KeyRule elements_key() {
@@ -47,7 +50,8 @@ KeyRule elements_key() {
       .otherwise_text("hex8");
 }
 KeyRule law_key(const char* fallback) {
-  return key("law", Type::choice, "how it deforms and fails; each law brings its own keys").otherwise_text(fallback);
+  const auto law = key("law", Type::choice, "how it deforms and fails; each law brings its own keys");
+  return *fallback ? law.otherwise_text(fallback) : law.need();
 }
 Keys height_keys(const char* what) {
   const std::string below = std::string("only ") + what + " at or below this height z",
@@ -116,7 +120,12 @@ const std::vector<Recorded>& recorded() {
       {"reaction", dimension::force, vector, false, true, false},
       {"load", dimension::force, vector, false, true, false},
       {"load_moment", moment, vector, false, true, false},
-      {"energy", dimension::energy, {"kinetic", "strain", "dissipated", "external_work", "error"}, false, false, false,
+      {"energy",
+       dimension::energy,
+       {"kinetic", "strain", "dissipated", "external_work", "error"},
+       false,
+       false,
+       false,
        true},
       {"dissipation", dimension::energy, {"plastic", "fracture"}, false, false, false, true},
   };
@@ -161,7 +170,8 @@ const std::vector<NounRule>& nouns() {
                 key("divisions", Type::counts,
                     "elements along chosen sides, counted from the first corner: { [1] = 6, [2] = 8 }")
                     .between({1, 1e6}),
-                key("holes", Type::outlines, "outlines of holes inside the section, such as galleries: { { {x,z}, ... }, ... }")
+                key("holes", Type::outlines,
+                    "outlines of holes inside the section, such as galleries: { { {x,z}, ... }, ... }")
                     .in(dimension::length),
                 number("hole_size", dimension::length, range::positive,
                        "element edge to aim at around the holes; as `size` unless given"),
@@ -199,7 +209,7 @@ const std::vector<NounRule>& nouns() {
                 .otherwise(1),
             number("feature_angle", dimension::none, Range{0, 3.1416, true},
                    "edges where facets meet at more than this angle stay as they are, with their corners; smaller "
-                   "ones are rounded off by at most a twentieth of `size`; 20*deg unless given")
+                   "ones are rounded off by at most a twentieth of `size`; in rad or *deg")
                 .otherwise(0.3490658503988659),
             number("unit", dimension::length, range::positive, "length that 1 in the file stands for").otherwise(1)},
        .example = R"(solid "abutment" { file = "abutment.stl", size = 5*m, unit = mm })"},
@@ -218,9 +228,14 @@ const std::vector<NounRule>& nouns() {
                 key("surfaces", Type::renames, "new names of surfaces: { old = \"new\" }")},
        .example = R"(import_mesh { file = "dam.msh", regions = { concrete = "dam" } })"},
       {.name = "surface",
-       .doc = "A named part of the outer faces of regions. Every filter that is given must hold.",
+       .doc =
+           "A named part of the outer faces of regions, or the faces of a joint. Every filter that is given must hold. "
+           "The sides of extruded, boxed and solid regions have names of their own: \"dam.left\", \"dam.bottom\", ...",
        .keys = {key("of", Type::names, "regions whose faces are taken; every region unless given"),
                 key("group", Type::names, "surfaces of the mesh file to take the faces from"),
+                key("joint", Type::text,
+                    "the joint to take the faces from: of both regions, which a pressure in the joint pushes apart, "
+                    "unless `of` says otherwise; for uplift, pressure and water_pressure"),
                 key("side", Type::choices, "extreme sides of the regions: left is -x, front is -y, bottom is -z")
                     .of({"left", "right", "front", "back", "bottom", "top"}),
                 key("facing", Type::vector, "direction that the outward normals point to"),
@@ -232,16 +247,17 @@ const std::vector<NounRule>& nouns() {
        .example = R"(surface "upstream" { of = "dam", facing = { -1, 0, 0 } })"},
       {.name = "material",
        .doc = "What regions are made of. The keys depend on the law.",
-       .keys = {region_key("regions made of it"), law_key("elastic"),
-                number("density", dimension::density, range::positive, "mass per volume").need(),
-                number("conductivity", dimension::conductivity, range::positive,
-                       "heat conduction; needed by thermal stages"),
-                number("heat_capacity", dimension::heat_capacity, range::positive,
-                       "heat per mass; needed by transient thermal stages"),
-                key("formulation", Type::choice,
-                    "full: every Gauss point has its own change of volume; bbar: that of the element's mean, for hex8 "
-                    "and wedge6 (full locks in plastic flow and near poisson = 0.5); bbar for plastic laws unless given")
-                    .of({"full", "bbar"})},
+       .keys =
+           {region_key("regions made of it"), law_key("elastic"),
+            number("density", dimension::density, range::positive, "mass per volume").need(),
+            number("conductivity", dimension::conductivity, range::positive,
+                   "heat conduction; needed by thermal stages"),
+            number("heat_capacity", dimension::heat_capacity, range::positive,
+                   "heat per mass; needed by transient thermal stages"),
+            key("formulation", Type::choice,
+                "full: every Gauss point has its own change of volume; bbar: that of the element's mean, for hex8 "
+                "and wedge6 (full locks in plastic flow and near poisson = 0.5); bbar for plastic laws unless given")
+                .of({"full", "bbar"})},
        .example =
            R"(material "concrete" { region = "dam", density = 2400*kg/m^3, young = 30*GPa, poisson = 0.2, expansion = 9e-6/K })",
        .laws = Laws::material},
@@ -264,7 +280,9 @@ const std::vector<NounRule>& nouns() {
        .doc = "Stress before any displacement, from the start of the run; tension is positive. Ground at rest: give "
               "`level` and `k0`, and the vertical stress is vertical - unit_weight * (level - z), k0 times that "
               "sideways. Or give components, as numbers or functions of x, y, z. With loads that balance it nothing "
-              "moves; the first stage says how far it is from that. Interfaces carry its traction.",
+              "moves; the first stage says how far it is from that. A hole in the ground, such as a tunnel, is a face "
+              "without "
+              "load: the first stage excavates it. Interfaces carry its traction.",
        .keys = {key("region", Type::names, "regions; the whole model unless given"),
                 number("level", dimension::length, range::any, "height z where the vertical stress is `vertical`"),
                 number("vertical", dimension::pressure, range::any,
@@ -276,9 +294,8 @@ const std::vector<NounRule>& nouns() {
                 number("gravity", dimension::acceleration, range::positive, "strength of gravity").otherwise(9.81),
                 number("k0", dimension::none, range::not_negative, "horizontal stress over vertical stress"),
                 number("k0_x", dimension::none, range::not_negative, "along x, where that differs"),
-                number("k0_y", dimension::none, range::not_negative, "along y, where that differs"),
-                stress_key("xx"), stress_key("yy"), stress_key("zz"), stress_key("xy"), stress_key("yz"),
-                stress_key("zx")},
+                number("k0_y", dimension::none, range::not_negative, "along y, where that differs"), stress_key("xx"),
+                stress_key("yy"), stress_key("zz"), stress_key("xy"), stress_key("yz"), stress_key("zx")},
        .example = R"(initial_stress { region = "rock", level = 0*m, k0 = 0.6 })"},
       {.name = "fix",
        .kind = NounKind::condition,
@@ -299,16 +316,18 @@ const std::vector<NounRule>& nouns() {
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Weight of every region.",
-       .keys =
-           {number("x", dimension::acceleration, range::any, "acceleration along x").otherwise(0).changing(),
-            number("y", dimension::acceleration, range::any, "acceleration along y").otherwise(0).changing(),
-            number("z", dimension::acceleration, range::any, "acceleration along z; down is negative").otherwise(0).changing()},
+       .keys = {number("x", dimension::acceleration, range::any, "acceleration along x").otherwise(0).changing(),
+                number("y", dimension::acceleration, range::any, "acceleration along y").otherwise(0).changing(),
+                number("z", dimension::acceleration, range::any, "acceleration along z; down is negative")
+                    .otherwise(0)
+                    .changing()},
        .example = R"(gravity { z = -9.81 })"},
       {.name = "water_pressure",
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Hydrostatic pressure density * gravity * (level - z) on the part of a surface below the level.",
-       .keys = {surface_key(), number("level", dimension::length, range::any, "height z of the water table").need().changing(),
+       .keys = {surface_key(),
+                number("level", dimension::length, range::any, "height z of the water table").need().changing(),
                 number("density", dimension::density, range::positive, "of the water").otherwise(1000),
                 number("gravity", dimension::acceleration, range::positive, "strength of gravity").otherwise(9.81)},
        .example = R"(water_pressure "reservoir" { surface = "upstream", level = 55*m })"},
@@ -326,15 +345,18 @@ const std::vector<NounRule>& nouns() {
        .doc = "Force per area against the outward normal of a surface, such as silt, ice or gas; negative pulls.",
        .keys = {surface_key(),
                 field("value", dimension::pressure, "the pressure, a number or a function of x, y, z").need()},
-       .example = R"(pressure "silt" { surface = "upstream", value = function(x, y, z) return z < 10 and 5.5e3*(10 - z) or 0 end })"},
+       .example =
+           R"(pressure "silt" { surface = "upstream", value = function(x, y, z) return z < 10 and 5.5e3*(10 - z) or 0 end })"},
       {.name = "uplift",
        .kind = NounKind::condition,
        .naming = Naming::optional,
-       .doc = "Water pressure under a base, density * gravity * (level - z) where positive. The piezometric level runs "
-              "straight along x from `upstream_level` at the heel to `downstream_level` at the toe; at a line of drains "
-              "it is base + (1 - drain_efficiency) * (straight - base), base being the downstream level or the gallery "
-              "floor if that is higher (USACE EM 1110-2-2200, 3-3 d). For any other shape use `pressure` with a "
-              "function. On a base held by `fix` it changes reactions only.",
+       .doc =
+           "Water pressure under a base, density * gravity * (level - z) where positive. The piezometric level runs "
+           "straight along x from `upstream_level` at the heel to `downstream_level` at the toe; at a line of drains "
+           "it is base + (1 - drain_efficiency) * (straight - base), base being the downstream level or the gallery "
+           "floor if that is higher (USACE EM 1110-2-2200, 3-3 d). For any other shape use `pressure` with a "
+           "function. Under a dam on its rock it acts in the joint between them, on both faces: surface \"base\" { "
+           "joint = \"dam_base\" }. On a base held by `fix` it changes reactions only.",
        .keys = {surface_key(),
                 number("upstream_level", dimension::length, range::any, "height z of the headwater").need().changing(),
                 number("downstream_level", dimension::length, range::any,
@@ -356,8 +378,9 @@ const std::vector<NounRule>& nouns() {
       {.name = "point_load",
        .kind = NounKind::condition,
        .naming = Naming::optional,
-       .doc = "A force at a point of the body, shared among the corners of the element there. A later stage's point load "
-              "replaces an earlier one at the same place. Stress next to it grows without bound as elements shrink.",
+       .doc =
+           "A force at a point of the body, shared among the corners of the element there. A later stage's point load "
+           "replaces an earlier one at the same place. Stress next to it grows without bound as elements shrink.",
        .keys = {key("at", Type::vector, "the point, in the body or on its surface").in(dimension::length).need(),
                 number("x", dimension::force, range::any, "force along x").otherwise(0).changing(),
                 number("y", dimension::force, range::any, "force along y").otherwise(0).changing(),
@@ -384,7 +407,8 @@ const std::vector<NounRule>& nouns() {
                     .need(),
                 number("film", dimension::film, range::positive, "film coefficient").need()} +
            height_keys("faces with their centre"),
-       .example = R"(convection "air" { surface = "downstream", ambient = in_time { {0*days, -2*degC}, {180*days, 28*degC} }, film = 15*W/(m^2*K) })"},
+       .example =
+           R"(convection "air" { surface = "downstream", ambient = in_time { {0*days, -2*degC}, {180*days, 28*degC} }, film = 15*W/(m^2*K) })"},
       {.name = "flux",
        .kind = NounKind::condition,
        .naming = Naming::optional,
@@ -431,10 +455,12 @@ const std::vector<NounRule>& nouns() {
       {.name = "thermal",
        .kind = NounKind::solve,
        .naming = Naming::none,
-       .doc = "Heat: the steady state, or a transient of a given duration.",
+       .doc = "Heat: the steady state, or a transient of a given duration, in time steps that the program chooses.",
        .keys =
            {key("steady", Type::flag, "true: the state that the boundary conditions lead to in the end").otherwise(0),
             number("duration", dimension::time, range::positive, "of a transient; give this or `steady = true`"),
+            number("record_every", dimension::time, range::positive,
+                   "transient: between rows of histories; a hundredth of the duration unless given"),
             number("tolerance", dimension::none, Range{1e-15, 0.1}, "steady: residual over its start")
                 .otherwise(1e-10)},
        .example = R"(stage "winter" { solve = thermal { duration = 100*days } })"},
@@ -465,7 +491,10 @@ const std::vector<NounRule>& nouns() {
        .kind = NounKind::solve,
        .naming = Naming::none,
        .doc = "Motion in time with the real mass, under the loads that act: from rest, or on from a dynamic stage just "
-              "before. Explicit: the step is short, the energy balance is kept and reported.",
+              "before. Explicit: the step is short, the energy balance is kept and reported. Shake a base by "
+              "displacement { x = in_stage(...) } on it; or hold it and give gravity { x = in_stage(...) } minus the "
+              "base's "
+              "acceleration, then displacements are relative to the base.",
        .keys = {number("duration", dimension::time, range::positive, "how long").need(),
                 number("mass_damping", dimension::frequency, range::not_negative,
                        "Rayleigh's factor of the mass: 4 pi f xi damps frequency f by xi of critical, lower ones more")

@@ -44,6 +44,9 @@ struct KeyRule {
   std::string fallback_text;       ///< choices and names
   std::vector<std::string> choices;
 
+  /// Angles have no dimension: their doc says that they may be given in *deg.
+  bool is_angle() const { return dimension == Dimension{} && doc.find("*deg") != std::string::npos; }
+
   KeyRule in(Dimension d, Range r = range::any) const {
     return with([&](KeyRule& k) { k.dimension = d, k.range = r; });
   }
@@ -97,6 +100,8 @@ struct NounRule {
 const std::vector<NounRule>& nouns();
 const NounRule* find_noun(const std::string& name);
 std::vector<LawDoc> laws_of(const NounRule& noun);
+/// The key that a name from books or other programs stands for, as "E" for young; "" if none of `valid` is meant.
+std::string key_meant(const std::string& name, const std::vector<std::string>& valid);
 /// A law's number as a deck key.
 KeyRule rule_of(const Key& key);
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "model/in_time.hpp"
 #include "model/loads.hpp"
 #include "solve/contact_states.hpp"
 #include "solve/block_state.hpp"
@@ -39,7 +40,7 @@ bool finite(const std::vector<double>& values) {
 Recorder::Recorder(const Problem& problem, Observer& observer) : problem_(problem), observer_(observer) {
   reference_displacement_.assign(3 * static_cast<std::size_t>(problem.blocks.node_count()), 0);
   surface_load_ = reference_displacement_;
-  for (const Stage& s : problem.model.stages) timed_ = timed_ || std::holds_alternative<DynamicSolve>(s.solve);
+  for (const StageTimes& times : stage_times(problem.model)) timed_ = timed_ || times.end > times.begin;
   for (const History& h : problem.model.histories) {
     Probe probe{&h, {}, {}};
     if (h.at) {

@@ -15,8 +15,8 @@ struct Moment {
   double time = 0;  ///< stages done, with the fraction of the present one
   double load_factor = 0;
   bool stage_end = false;
-  double seconds = 0;  ///< dynamic stages: since the stage began
-  int record = 0;      ///< dynamic stages: number of the row, from 1
+  double seconds = 0;  ///< dynamic and transient stages: since the stage began
+  int record = 0;      ///< of those: number of the row, from 1
 };
 
 class Recorder {
@@ -58,7 +58,7 @@ class Recorder {
   std::vector<HistoryTable> tables_;
   std::vector<double> reference_displacement_, surface_load_, temperature_, velocity_;
   EnergyBalance energy_;
-  bool timed_ = false;  ///< rows begin with the seconds of dynamic stages
+  bool timed_ = false;  ///< rows begin with the seconds of dynamic and transient stages
 };
 
 }  // namespace ashlar

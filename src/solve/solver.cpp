@@ -407,8 +407,18 @@ class Run {
 
   // ------------------------------------------------------------------ heat
 
+  /// Rows of histories on the way; the stage's end is recorded with every stage.
+  void record_transient(const ThermalSolve& how, const ThermalProgress& progress) {
+    const double interval = how.record_every > 0 ? how.record_every : how.duration / 100;
+    const int due = static_cast<int>(progress.time / interval * (1 + 1e-12));
+    if (due <= records_ || progress.fraction >= 1 || problem_.model.histories.empty()) return;
+    records_ = due;
+    temperature_ = read_temperature(problem_);
+    record({stage_, stage_ + progress.fraction, progress.fraction, false, progress.time, records_});
+  }
+
   void solve_stage(const ThermalSolve& how) {
-    increment_ = 0;
+    increment_ = records_ = 0;
     increments_ = how.steady ? 0 : 100;
     write_temperature(problem_, temperature_);
     const ThermalResult r = solve_thermal(problem_, stage_, [&](const ThermalProgress& progress) {
@@ -416,6 +426,8 @@ class Run {
       if (!how.steady) {
         increment_ = static_cast<int>(100 * progress.fraction);
         relaxed_ = 0;
+        outcome_.seconds = progress.time;
+        record_transient(how, progress);
       }
       tell(progress.step, progress.ratio, how.steady ? how.tolerance : 0);
       return observer_.interrupted();
@@ -439,7 +451,7 @@ class Run {
   StageResult outcome_;
   std::vector<double> temperature_;       ///< of the body in time, degC, mesh nodes
   std::vector<double> body_temperature_;  ///< that stress sees: changed by static and fracture stages only
-  std::vector<double> surface_load_;  ///< N, the Blocks order, at the end of the present stage
+  std::vector<double> surface_load_;      ///< N, the Blocks order, at the end of the present stage
   std::vector<double> shift_;  ///< body temperature less temperature: a fracture stage loads by a difference, and
                                ///< later stages go on from there
   std::map<std::string, std::vector<double>> temperatures_at_end_;
@@ -448,6 +460,7 @@ class Run {
   BlockWork block_work_;       ///< up to the end of the last stage
   double out_of_balance_ = 0;  ///< N, largest at the start of a relaxation of this stage
   int increment_ = 0, increments_ = 0;
+  int records_ = 0;  ///< rows of a transient thermal stage
   bool balance_told_ = false;
   double relaxed_ = 0, cracked_fraction_ = 0;
   Clock::time_point told_{};

@@ -18,12 +18,14 @@ int normal_axis(const Mesh& mesh, const Facet& facet, const Condition& condition
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs(n[axis]) > (1 - 1e-9) * size) return axis;
   const Vec3<double> at = mesh.facet_centroid(facet);
-  char text[256];
+  char text[600];
   std::snprintf(text, sizeof text,
-                "fix '%s': surface '%s' is not perpendicular to x, y or z at (%.6g, %.6g, %.6g), where its normal is "
-                "(%.3g, %.3g, %.3g): "
-                "give x, y, z instead of normal",
-                condition.name.c_str(), surface.name.c_str(), at.x, at.y, at.z, n.x / size, n.y / size, n.z / size);
+                "fix%s: 'normal' holds faces across x, y or z only, but surface '%s' has the normal (%.3g, %.3g, %.3g) at "
+                "(%.6g, %.6g, %.6g); hold x, y and z, turn the model until the face lies across an axis, or put a held "
+                "body behind the face, tied by a joint with law = \"elastic\" and shear_stiffness = 1*Pa/m, which lets "
+                "it slide",
+                condition.name.empty() ? "" : (" '" + condition.name + "'").c_str(), surface.name.c_str(), n.x / size,
+                n.y / size, n.z / size, at.x, at.y, at.z);
   throw DeckError(condition.where, text);
 }
 

@@ -112,7 +112,7 @@ TEST(Wording, NumbersReadAsPeopleWriteThem) {
   EXPECT_EQ(duration_text(59.94), "59.9 s");
   EXPECT_EQ(duration_text(3599), "59:59");
   EXPECT_EQ(duration_text(8100), "2:15:00");
-  EXPECT_EQ(place_text({-1e-9, 2.5, 48}), "(0, 2.5, 48) m");
+  EXPECT_EQ(place_in_metres({-1e-9, 2.5, 48}), "(0, 2.5, 48) m");
 }
 
 }  // namespace

@@ -201,6 +201,34 @@ class Program(unittest.TestCase):
             deck.write_bytes(text)
             self.assertEqual(self.ashlar("check", "bar.lua").returncode, 0)
 
+    def test_a_new_deck_runs_and_never_replaces_another(self):
+        self.assertEqual(self.ashlar("new", "valley").returncode, 0)
+        self.assertEqual(self.ashlar("run", "valley.lua").returncode, 0)
+        again = self.ashlar("new", "valley")
+        self.assertEqual(again.returncode, 2)
+        self.assertIn("valley.lua", again.stderr)
+
+    def test_help_knows_commands_and_angles(self):
+        self.assertIn("--precision", self.ashlar("help", "run").stdout)
+        self.assertIn("default 30*deg", self.ashlar("help", "surface").stdout)
+
+    def test_a_transient_records_its_way(self):
+        self.deck("""stage "heat" {
+          apply = { fixed_temperature { surface = "left", value = 20*degC } },
+          solve = thermal { duration = 10*days, record_every = 1*days },
+        }
+        history "middle" { at = {2,0,0}, record = "temperature" }""")
+        self.assertEqual(self.ashlar("run", "bar.lua").returncode, 0)
+        lines = (self.folder / "bar.run" / "history_middle.csv").read_text(encoding="utf-8").splitlines()
+        rows = [line.split(",") for line in lines]
+        heated = [row for row in rows[1:] if row[0] == "heat" and float(row[rows[0].index("seconds [s]")]) > 0]
+        days = [float(row[rows[0].index("seconds [s]")]) / 86400 for row in heated]
+        for day, wanted in zip(days, range(1, 11), strict=True):
+            self.assertAlmostEqual(day, wanted, delta=0.05)
+        warmth = [float(row[rows[0].index("temperature [degC]")]) for row in heated]
+        self.assertEqual(warmth, sorted(warmth))
+        self.assertGreater(warmth[-1], warmth[0])
+
     def test_a_folder_is_no_deck(self):
         answer = self.ashlar("check", str(self.folder))
         self.assertEqual(answer.returncode, 2)

@@ -98,8 +98,13 @@ Tetrahedra tetrahedralise(const FacetSurface& surface, double size, double grow,
                           parameters::facet_size = radius_over_edge * size, parameters::facet_distance = deviation,
                           parameters::cell_radius_edge_ratio = radius_over_shortest_edge,
                           parameters::cell_size = CellSize(tree, size, grow));
-  const auto complex = CGAL::make_mesh_3<Complex>(domain, criteria, parameters::no_lloyd(), parameters::no_odt(),
-                                                  parameters::perturb(), parameters::exude());
+  // Slivers are mended until none is left below this dihedral angle. CGAL would stop after as much time as the rest has
+  // taken, so that a busy machine got another mesh.
+  constexpr double sliver_angle = 10, no_limit = 0;
+  const auto complex = CGAL::make_mesh_3<Complex>(
+      domain, criteria, parameters::no_lloyd(), parameters::no_odt(),
+      parameters::perturb(parameters::time_limit = no_limit, parameters::sliver_bound = sliver_angle),
+      parameters::exude(parameters::time_limit = no_limit, parameters::sliver_bound = sliver_angle));
 
   Tetrahedra result;
   std::map<Triangulation::Vertex_handle, int> number;
