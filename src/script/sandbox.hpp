@@ -36,6 +36,7 @@ class Watchdog {
   std::mutex mutex_;
   std::condition_variable changed_;
   bool running_ = false, closing_ = false;
+  long call_ = 0;  ///< number of the present call
   std::string what_;
   std::thread thread_;
 };
