@@ -24,7 +24,7 @@ void describe(Page& page, const Comparison& comparison, const char* point, const
                                             : text("%-18s max %.2e, mean %.2e, %.3g %s at ", d.field.c_str(),
                                                    d.largest_relative, d.mean_relative, d.largest, d.unit.c_str()) +
                                                   text("%s %zu, ", d.on_points ? point : cell, d.index) +
-                                                  place_text(d.place));
+                                                  place_in_metres(d.place));
   for (const std::string& line : comparison.missing) page.line("missing", line);
 }
 
