@@ -167,7 +167,8 @@ TEST(Deck, BadNumbersInATableAreNamed) {
 
 TEST(Deck, EveryMistakeIsReportedAndALoopDoesNotBuryThem) {
   EXPECT_EQ(complaint("fix 'a' { x = 0 }\nflux { surface = 's' }\nlocal x = nothing"),
-            "deck.lua:1: fix 'a': missing 'surface': surfaces where it acts: declared with `surface`, or groups of the "
+            "deck.lua:1: fix 'a': missing 'surface': surfaces where it acts: declared with `surface`, sides of "
+            "regions such as \"dam.bottom\" (left, right, front, back, bottom, top), or groups of the "
             "mesh file\n"
             "deck.lua:2: flux: missing 'value' [W/m^2]: heat per area and time into the body, a number or a function "
             "of x, y, z\n"
