@@ -23,7 +23,7 @@ import tempfile
 
 DECKS = pathlib.Path(__file__).resolve().parent.parent / "decks" / "verify"
 BOOK = DECKS / "README.md"
-UNITS = {"displacement": "m", "stress": "Pa", "temperature": "degC", "reaction": "N", "load": "N", "load_moment": "N m"}
+UNITS = {"displacement": "m", "stress": "Pa", "nodal_stress": "Pa", "temperature": "degC", "reaction": "N", "load": "N", "load_moment": "N m"}
 
 
 @dataclasses.dataclass
@@ -166,7 +166,7 @@ Each row is one quantity of one run, the worst one where a run compares several 
 the accepted range, the tolerance half of its width. Rows without a reference are statements; the deck says what it expects.
 
 Cases below the reach of a deck are unit tests: P1 (the seven hexahedra of MacNeal and Harder) and P3 (rigid motion without
-force) in `tests/solve/patch.cpp`, P34 (block on an incline) in `tests/solve/fracture.cpp`.
+force) in `tests/solve/patch.cpp`.
 P17 (answers do not depend on damping, time step or threads) is `tests/decks/run_same.py`.
 """
 

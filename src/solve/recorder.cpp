@@ -161,8 +161,7 @@ void Recorder::add_values(const Probe& probe, std::vector<double>& row) {
       const std::vector<double> stress = element_stress(problem_, gauss_stress(problem_));
       for (int c = 0; c < 6; ++c) row.push_back(stress[6 * static_cast<std::size_t>(probe.location.element) + c]);
     } else if (record == "nodal_stress") {
-      backend.run(Phase::block_stress);
-      const std::vector<double> value = at_point(probe, nodal_stress(problem_, backend.read(Field::stress)), 6);
+      const std::vector<double> value = at_point(probe, nodal_stress(problem_, gauss_stress(problem_)), 6);
       row.insert(row.end(), value.begin(), value.end());
     } else if (record == "plastic_strain") {
       row.push_back(element_measure(problem_, Measure::plastic_strain)[probe.location.element]);

@@ -7,6 +7,7 @@
 #include "physics/shapes/hex8.hpp"
 #include "physics/shapes/tet4.hpp"
 #include "physics/shapes/wedge6.hpp"
+#include "solve/incompatible_modes.hpp"
 
 namespace ashlar {
 
@@ -41,12 +42,11 @@ Eigen::MatrixXd gauss_values(const Batch& batch, int element, std::span<const do
   return values;
 }
 
-/// work(mesh element, its Gauss-point values), batch by batch.
+/// work(batch, element in the machine's order), batch by batch.
 template <class Work>
-void each_element(const Problem& p, std::span<const double> gauss, Work work) {
+void each_element(const Problem& p, Work work) {
   for (const Batch& batch : p.discretisation.batches)
-    for (int e = batch.first_element; e < batch.first_element + batch.element_count; ++e)
-      work(p.discretisation.source_element[e], gauss_values(batch, e, gauss));
+    for (int e = batch.first_element; e < batch.first_element + batch.element_count; ++e) work(batch, e);
 }
 
 }  // namespace
@@ -60,8 +60,10 @@ std::vector<double> gauss_stress(const Problem& p) {
 
 std::vector<double> element_stress(const Problem& p, std::span<const double> gauss) {
   std::vector<double> stress(6 * static_cast<std::size_t>(p.model.mesh.element_count()));
-  each_element(p, gauss, [&](int element, const Eigen::MatrixXd& values) {
-    for (int c = 0; c < 6; ++c) stress[6 * static_cast<std::size_t>(element) + c] = values.col(c).mean();
+  each_element(p, [&](const Batch& batch, int e) {
+    const Eigen::MatrixXd values = gauss_values(batch, e, gauss);
+    const auto element = static_cast<std::size_t>(p.discretisation.source_element[e]);
+    for (int c = 0; c < 6; ++c) stress[6 * element + c] = values.col(c).mean();
   });
   return stress;
 }
@@ -73,9 +75,19 @@ std::vector<double> nodal_stress(const Problem& p, std::span<const double> gauss
   for (int e = 0; e < mesh.element_count(); ++e)
     for (int s = mesh.first_corner[e]; s < mesh.first_corner[e + 1]; ++s)
       region[p.blocks.corners[s]] = std::min(region[p.blocks.corners[s]], mesh.regions[e]);
+  const Setup setup = p.setup();
   std::vector<double> stress(6 * nodes), weight(nodes);
-  each_element(p, gauss, [&](int element, const Eigen::MatrixXd& values) {
-    const Eigen::MatrixXd corner = extrapolation_of(mesh.shapes[element]) * values;
+  each_element(p, [&](const Batch& batch, int e) {
+    const int element = p.discretisation.source_element[e];
+    Eigen::MatrixXd values = gauss_values(batch, e, gauss);
+    // Initial stress is given, not the answer of elements to a movement; a law that flows bounds its stress already.
+    if (history_size(setup.laws[batch.material]) == 0) {
+      Eigen::MatrixXd initial = Eigen::MatrixXd::Zero(values.rows(), 6);
+      if (!p.initial.stress.empty()) initial = gauss_values(batch, e, p.initial.stress);
+      const auto law = make_law<Elastic>(p.model.materials[batch.material].values);
+      values = initial + without_incompatible(mesh, element, setup.bbar[batch.material], law, values - initial);
+    }
+    const Eigen::MatrixXd corner = extrapolation_of(batch.shape) * values;
     const double w = element_volume(mesh, element);
     for (int k = 0; k < corner.rows(); ++k) {
       const auto n = static_cast<std::size_t>(p.blocks.corners[mesh.first_corner[element] + k]);

@@ -14,8 +14,10 @@ std::vector<double> gauss_stress(const Problem& problem);
 /// @param gauss [6 * Gauss points], the machine's order
 std::vector<double> element_stress(const Problem& problem, std::span<const double> gauss);
 
-/// Extrapolated from the Gauss points to the corners and averaged by element volume, Pa: [6 * block nodes]. A node
-/// shared by regions shows the region that comes first in the mesh; nothing is averaged across regions or interfaces.
+/// Extrapolated from the Gauss points to the corners and averaged by element volume, Pa: [6 * block nodes]; of elastic
+/// laws without what incompatible modes would relax. A node shared by regions shows the region that comes first in the
+/// mesh; nothing is averaged across regions or interfaces.
+/// @param gauss from gauss_stress
 std::vector<double> nodal_stress(const Problem& problem, std::span<const double> gauss);
 
 /// Principal values, largest first: [3 * n] from [6 * n].
