@@ -36,32 +36,6 @@ __global__ void __launch_bounds__(chunk_items) sum_chunk(int n, const Terms term
     for (int k = 0; k < count; ++k) chunk_sums[blockIdx.x * count + k] = value[k][0];
 }
 
-/// Sums of a boundary node's patches, then what its step does with them.
-template <class Real, class NodeStep>
-struct StepBoundary {
-  NodeSetView nodes;
-  const Real* partial;
-  NodeStep step;
-  ASHLAR_HD void operator()(int b) const {
-    const int node = nodes.interior_count + b;
-    const auto before = step.read(node);
-    Real sum[3];
-    sum_patches<Real, 3>(nodes, partial, b, sum);
-    step(node, before, sum);
-  }
-};
-
-/// Keeps the force of a node.
-template <class Real>
-struct StoreForce {
-  Real* force;  ///< [3 * nodes] N
-  struct Before {};
-  ASHLAR_HD Before read(int) const { return {}; }
-  ASHLAR_HD void operator()(int node, const Before&, const Real (&sum)[3]) const {
-    for (int c = 0; c < 3; ++c) force[3 * node + c] = sum[c];
-  }
-};
-
 /// Memory and loops of one NVIDIA device: launches go to one stream, in order.
 class CudaExec {
  public:
@@ -82,7 +56,10 @@ class CudaExec {
   std::string name() const { return name_; }
   void select() const { check(cudaSetDevice(device_), "select device"); }
   void finish() const { check(cudaStreamSynchronize(stream_.get()), "wait for the device"); }
-  void set_patches(const Discretisation& d) { blocks_ = std::make_unique<PatchLists>(d, d.blocks); }
+  void set_patches(const Discretisation& d) {
+    blocks_ = std::make_unique<PatchLists>(d, d.blocks);
+    heat_ = std::make_unique<PatchLists>(d, d.heat);
+  }
 
   template <class Kernel>
   void for_each(int n, const Kernel& kernel) const {
@@ -114,7 +91,7 @@ class CudaExec {
   void block_forces(const BodyView<Real>& body, const BatchView& batch, const Point& law, const Discretisation& d,
                     int b) const {
     if (fits<Element, Real>(b))
-      return patches<Element, Warm>(body, batch, law, d, b, StoreForce<Real>{body.force});
+      return step_blocks<Element, Warm>(body, batch, law, d, b, StoreSum<Real>{body.force});
     for_each(batch.element_count, BlockForce<Element, Point, Real, Warm>{body, batch, law});
     const int first = d.blocks.patch_first_entry[d.batches[b].first_patch];
     const int last = d.blocks.patch_first_entry[d.batches[b].first_patch + d.batches[b].patch_count];
@@ -124,29 +101,36 @@ class CudaExec {
   /// Whether a patch of the batch has room in shared memory.
   template <template <class> class Element, class Real>
   bool fits(int b) const {
-    return bytes<Element, Real>(b) <= shared_bytes_;
+    return patch_bytes<Real, Element<Real>::corners, 3>(capacity(*blocks_, b)) <= shared_bytes_;
   }
 
   /// Forces of one batch; every node that lies inside a patch makes its step at once.
   template <template <class> class Element, bool Warm, class Point, class Real, class NodeStep>
-  void patches(const BodyView<Real>& body, const BatchView& batch, const Point& law, const Discretisation& d, int b,
-               const NodeStep& step) const {
-    const auto kernel = patch_force<Element, Warm, Point, Real, NodeStep>;
-    const std::size_t size = bytes<Element, Real>(b);
-    check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(size)),
-          "ask for shared memory");
-    kernel<<<d.batches[b].patch_count, patch_threads, size, stream_.get()>>>(
-        body, batch, law, blocks_->view(), d.batches[b].first_patch, capacity(b), step);
-    check(cudaGetLastError(), "launch");
+  void step_blocks(const BodyView<Real>& body, const BatchView& batch, const Point& law, const Discretisation& d, int b,
+                   const NodeStep& step) const {
+    patches(StressPatch<Element, Warm, Point, Real>{body, batch, law}, *blocks_, d, b, step);
+  }
+  /// The other nodes.
+  template <class Real, class NodeStep>
+  void step_boundary(const BodyView<Real>& body, const Discretisation& d, const NodeStep& step) const {
+    for_each(d.blocks.boundary_count(), StepBoundary<Real, 3, NodeStep>{body.nodes, body.partial, body.u, step});
+  }
+
+  /// The same for heat: flows of one batch, then the other nodes. A patch of one number a node always fits.
+  template <template <class> class Element, class Real, class NodeStep>
+  void heat_flows(ElementTag<Element>, const HeatView<Real>& heat, const BatchView& batch, Real conductivity,
+                  const Summed<Real>& field, const Discretisation& d, int b, const NodeStep& step) const {
+    patches(HeatPatch<Element, Real>{heat, batch, conductivity, field}, *heat_, d, b, step);
   }
   template <class Real, class NodeStep>
-  void boundary(const BodyView<Real>& body, const Discretisation& d, const NodeStep& step) const {
-    for_each(d.blocks.boundary_count(), StepBoundary<Real, NodeStep>{body.nodes, body.partial, step});
+  void heat_boundary(const HeatView<Real>& heat, const Summed<Real>& field, const Discretisation& d,
+                     const NodeStep& step) const {
+    for_each(d.heat.boundary_count(), StepBoundary<Real, 1, NodeStep>{heat.nodes, heat.partial, field, step});
   }
 
   /// Runs the launches of `work` `times` times: captured once as a graph for each `kind` of work, then sent as a whole.
   template <class Work>
-  void repeat(int kind, int times, const Work& work) {
+  void repeat(const std::string& kind, int times, const Work& work) {
     for (Graph& g : graphs_)
       if (g.kind == kind && g.times == times && g.changes == MachineMemory::changes)
         return check(cudaGraphLaunch(g.graph.get(), stream_.get()), "launch a graph");
@@ -164,7 +148,8 @@ class CudaExec {
 
  private:
   struct Graph {
-    int kind, times;
+    std::string kind;
+    int times;
     unsigned long changes;
     std::unique_ptr<CUgraphExec_st, cudaError_t (*)(cudaGraphExec_t)> graph;
   };
@@ -179,10 +164,17 @@ class CudaExec {
     if (sums_.size() < room) sums_.resize(room);
     return sums_.data();
   }
-  int capacity(int b) const { return (blocks_->most_entries(b) + 3) / 4 * 4; }
-  template <template <class> class Element, class Real>
-  std::size_t bytes(int b) const {
-    return patch_bytes<Real, Element<Real>::corners, 3, Summed<Real>::paired ? 9 : 6>(capacity(b));
+  static int capacity(const PatchLists& lists, int b) { return (lists.most_entries(b) + 3) / 4 * 4; }
+  template <class Work, class NodeStep>
+  void patches(const Work& work, const PatchLists& lists, const Discretisation& d, int b, const NodeStep& step) const {
+    const auto kernel = run_patch<Work, NodeStep>;
+    const int entries = capacity(lists, b);
+    const std::size_t size = patch_bytes<typename Work::Real, Work::corners, Work::width>(entries);
+    check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(size)),
+          "ask for shared memory");
+    kernel<<<d.batches[b].patch_count, patch_threads, size, stream_.get()>>>(work, lists.view(), d.batches[b].first_patch,
+                                                                             entries, step);
+    check(cudaGetLastError(), "launch");
   }
   template <class Kernel>
   void for_range(int first, int n, const Kernel& kernel) const {
@@ -199,7 +191,7 @@ class CudaExec {
   std::string name_;
   std::size_t shared_bytes_ = 0;
   std::unique_ptr<CUstream_st, DropStream> stream_;
-  std::unique_ptr<PatchLists> blocks_;
+  std::unique_ptr<PatchLists> blocks_, heat_;
   CudaArray<double> sums_;
   std::vector<Graph> graphs_;
 };

@@ -2,10 +2,15 @@
 #include <cstdint>
 
 #include "kernels/block_force.hpp"
+#include "kernels/gather.hpp"
+#include "kernels/heat_flow.hpp"
+#include "kernels/heat_step.hpp"
+#include "kernels/move_nodes.hpp"
 #include "patch_lists.hpp"
+#include "staging.hpp"
 
-/// Kernels for one patch a thread group (speed.md 2): nodes staged in shared memory, one thread an element, then one
-/// thread a node that sums its corners in the model's order. The element routine and the node routine are those of
+/// One patch a thread group (speed.md 2): nodes staged in shared memory, one thread an element, then one thread a node
+/// that sums its corners in the model's order and makes its step. The element routines and the node steps are those of
 /// src/kernels.
 namespace ashlar {
 
@@ -16,18 +21,63 @@ inline constexpr int patch_groups_per_processor = sizeof(Real) == 4 ? 4 : 2;
 template <class Real>
 inline constexpr int patch_capacity = sizeof(Real) == 4 ? patch_size_single : patch_size_double;
 
+/// Element forces: what a patch does with displacements.
+template <template <class> class Element, bool Warm, class Point, class Real_>
+struct StressPatch {
+  using Real = Real_;
+  static constexpr int corners = Element<Real>::corners, width = 3;
+  BodyView<Real> body;
+  BatchView batch;
+  Point law;
+
+  __device__ const NodeSetView& nodes() const { return body.nodes; }
+  __device__ const Real* places() const { return body.x; }
+  __device__ const Summed<Real>& values() const { return body.u; }
+  __device__ Real* partial() const { return body.partial; }
+  __device__ void operator()(int element, const Real (&x)[3][corners], const Real (&u)[width][corners],
+                             Real (&f)[width][corners]) const {
+    element_force<Element, Warm>(law, x, u, StoredPoints<Real>{body, batch, element}, f);
+  }
+};
+
+/// Heat flow: what a patch does with temperatures.
+template <template <class> class Element, class Real_>
+struct HeatPatch {
+  using Real = Real_;
+  static constexpr int corners = Element<Real>::corners, width = 1;
+  HeatView<Real> heat;
+  BatchView batch;
+  Real conductivity;
+  Summed<Real> field;  ///< [nodes] temperature, or the search direction of conjugate gradients
+
+  __device__ const NodeSetView& nodes() const { return heat.nodes; }
+  __device__ const Real* places() const { return heat.x; }
+  __device__ const Summed<Real>& values() const { return field; }
+  __device__ Real* partial() const { return heat.partial; }
+  __device__ void operator()(int, const Real (&x)[3][corners], const Real (&temperature)[width][corners],
+                             Real (&flow)[width][corners]) const {
+    heat_flow<Element<Real>>(x, temperature[0], conductivity, flow[0]);
+  }
+};
+
 /// Corner values of one component in shared memory, and the zero that unused gather places point to. The padding moves
 /// components to other banks.
 template <class Real, int corners>
 inline constexpr int component_stride = corners * patch_capacity<Real> + 8;
 
-/// Starts a copy of one number from global to shared memory that needs no register.
+/// Numbers of shared memory for `width` of them an entry, wherever the first lies behind a 16-byte border.
 template <class Real>
-__device__ __forceinline__ void copy_async(Real* shared, const Real* global) {
-  const unsigned to = static_cast<unsigned>(__cvta_generic_to_shared(shared));
-  asm volatile("cp.async.ca.shared.global [%0], [%1], %2;\n" ::"r"(to), "l"(global), "n"(sizeof(Real)));
+__host__ __device__ constexpr int staged_numbers(int width, int entries) {
+  constexpr int per = reals_in_16_bytes<Real>;
+  return (width * entries + per - 1) / per * per + 2 * per;
 }
-__device__ __forceinline__ void wait_for_copies() { asm volatile("cp.async.wait_all;\n" ::: "memory"); }
+
+/// Bytes of shared memory that a patch needs: corner values; places, later results; values.
+template <class Real, int corners, int width>
+constexpr std::size_t patch_bytes(int entries) {
+  return sizeof(Real) * (std::size_t(width) * component_stride<Real, corners> + staged_numbers<Real>(3, entries) +
+                         (Summed<Real>::paired ? 2 : 1) * staged_numbers<Real>(width, entries));
+}
 
 /// Patch entries of the corners of one element: 2 bytes each, read together.
 template <int corners>
@@ -72,69 +122,93 @@ __device__ __forceinline__ void sum_corners(const PatchHead& head, const GatherR
   }
 }
 
-/// Bytes of shared memory that a patch of a batch needs.
-template <class Real, int corners, int width, int staged>
-constexpr std::size_t patch_bytes(int entries) {
-  return sizeof(Real) * (std::size_t(width) * component_stride<Real, corners> + std::size_t(staged) * entries);
-}
-
-/// Component c of an entry's displacement as staged.
+/// The nodal values that a patch works on, in shared memory.
 template <class Real>
-__device__ __forceinline__ SummedValue<Real> moved_at(const Real* moved, int capacity, int c, int entry,
-                                                      const Real* has_low) {
-  if constexpr (Summed<Real>::paired)
-    return {moved[c * capacity + entry], has_low ? moved[(3 + c) * capacity + entry] : Real(0)};
-  else
-    return {moved[c * capacity + entry]};
+struct StagedValues {
+  Real* high;
+  Real* low;  ///< null: zero throughout
+  __device__ SummedValue<Real> operator[](int i) const {
+    if constexpr (Summed<Real>::paired)
+      return {high[i], low ? low[i] : Real(0)};
+    else
+      return {high[i]};
+  }
+  __device__ void write(int i, const SummedValue<Real>& value) const {
+    high[i] = value.high;
+    if constexpr (Summed<Real>::paired) low[i] = value.low;
+  }
+};
+
+/// Asks for what the steps of nodes first .. first + count will read.
+template <class Real>
+__device__ void prefetch_step(const StoreSum<Real>&, int, int) {}
+template <class Real>
+__device__ void prefetch_step(const MoveNode<Real>& step, int first, int count) {
+  prefetch_span(step.body.v, 3 * first, 3 * count);
+  prefetch_span(step.body.load, 3 * first, 3 * count);
+}
+template <class Real>
+__device__ void prefetch_step(const StepHeat<Real>& step, int first, int count) {
+  prefetch_span(step.heat.heat, first, count);
+  prefetch_span(step.heat.inverse_capacity, first, count);
 }
 
-/// Forces of one patch; `node(n, force)` takes what is whole, nodes shared with other patches leave a partial sum.
-template <template <class> class Element, bool Warm, class Point, class Real, class NodeStep>
-__global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<Real>)
-    patch_force(const BodyView<Real> body, const BatchView batch, const Point law, const PatchListsView lists,
-                const int first_patch, const int capacity, const NodeStep node_step) {
-  constexpr int corners = Element<Real>::corners;
-  constexpr int stride = component_stride<Real, corners>;
+/// One patch. `step` (kernels/move_nodes.hpp, step_heat.hpp, StoreSum) takes the sums of nodes inside; nodes that other
+/// patches share leave a partial sum.
+template <class Work, class NodeStep>
+__global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<typename Work::Real>)
+    run_patch(const Work work, const PatchListsView lists, const int first_patch, const int capacity,
+              const NodeStep step) {
+  using Real = typename Work::Real;
+  constexpr int corners = Work::corners, width = Work::width, stride = component_stride<Real, corners>;
   extern __shared__ __align__(16) unsigned char shared[];
-  Real* const force = reinterpret_cast<Real*>(shared);
-  Real* const place = force + 3 * stride;       // [3 * capacity]
-  Real* const moved = place + 3 * capacity;     // [3 * capacity], twice where paired
   const PatchHead head = lists.heads[first_patch + blockIdx.x];
+  const Summed<Real> values = work.values();
+  const int first_value = width * head.first_node, inside = width * head.interior;
+  Real* const corner = reinterpret_cast<Real*>(shared);
+  Real* const places = corner + width * stride;
+  Real* const place = places + behind_border<Real>(3 * head.first_entry);
+  Real* const high = places + staged_numbers<Real>(3, capacity) + behind_border<Real>(first_value);
+  StagedValues<Real> value{high, nullptr};
+  if (Summed<Real>::paired && values.low) value.low = high + staged_numbers<Real>(width, capacity);
 
-  for (int l = threadIdx.x; l < head.entries; l += patch_threads) {
-    const int n = 3 * (l < head.interior ? head.first_node + l : __ldg(body.nodes.entry_node + head.first_entry + l));
+  load_span<patch_threads>(place, work.places(), 3 * head.first_entry, 3 * head.entries);
+  load_span<patch_threads>(value.high, values.high, first_value, inside);
+  if (value.low) load_span<patch_threads>(value.low, values.low, first_value, inside);
+  for (int l = head.interior + threadIdx.x; l < head.entries; l += patch_threads) {
+    const int n = width * __ldg(work.nodes().entry_node + head.first_entry + l);
     ASHLAR_UNROLL
-    for (int c = 0; c < 3; ++c) {
-      copy_async(place + c * capacity + l, body.x + 3 * (head.first_entry + l) + c);
-      copy_async(moved + c * capacity + l, body.u.high + n + c);
-      if constexpr (Summed<Real>::paired)
-        if (body.u.low) copy_async(moved + (3 + c) * capacity + l, body.u.low + n + c);
+    for (int c = 0; c < width; ++c) {
+      copy_async(value.high + width * l + c, values.high + n + c);
+      if (value.low) copy_async(value.low + width * l + c, values.low + n + c);
     }
   }
-  if (threadIdx.x < 3) force[threadIdx.x * stride + corners * patch_capacity<Real>] = Real(0);
+  if (threadIdx.x == patch_threads - 1) {
+    prefetch_step(step, head.first_node, head.interior);
+    prefetch_span(lists.rows, head.first_row, (head.entries + 31) / 32 * 32 * head.rows_per_lane);
+  }
+  if (threadIdx.x < width) corner[threadIdx.x * stride + corners * patch_capacity<Real>] = Real(0);
   wait_for_copies();
   __syncthreads();
 
   for (int i = threadIdx.x; i < head.elements; i += patch_threads) {
     const int element = head.first_element + i;
     int entry[corners];
-    read_entries<corners>(body.nodes.corner_entry, batch.slot(element, corners, 0), entry);
-    Real x[3][corners], u[3][corners], f[3][corners];
+    read_entries<corners>(work.nodes().corner_entry, work.batch.slot(element, corners, 0), entry);
+    Real x[3][corners], u[width][corners], f[width][corners];
+    ASHLAR_UNROLL
+    for (int k = 0; k < corners; ++k) {
+      ASHLAR_UNROLL
+      for (int c = 0; c < 3; ++c) x[c][k] = place[3 * entry[k] + c];
+      ASHLAR_UNROLL
+      for (int c = 0; c < width; ++c) u[c][k] = relative(value[width * entry[k] + c], value[width * entry[0] + c]);
+    }
+    work(element, x, u, f);
     ASHLAR_UNROLL
     for (int k = 0; k < corners; ++k)
       ASHLAR_UNROLL
-      for (int c = 0; c < 3; ++c) {
-        x[c][k] = place[c * capacity + entry[k]];
-        u[c][k] = relative(moved_at(moved, capacity, c, entry[k], body.u.low),
-                           moved_at(moved, capacity, c, entry[0], body.u.low));
-      }
-    element_force<Element, Warm>(law, x, u, StoredPoints<Real>{body, batch, element}, f);
-    ASHLAR_UNROLL
-    for (int k = 0; k < corners; ++k)
-      ASHLAR_UNROLL
-      for (int c = 0; c < 3; ++c) force[c * stride + k * patch_capacity<Real> + i] = f[c][k];
+      for (int c = 0; c < width; ++c) corner[c * stride + k * patch_capacity<Real> + i] = f[c][k];
   }
-  __syncthreads();
 
   // What the first rounds of sums need is on its way while slower threads are still at their elements.
   constexpr int rounds = 3;
@@ -144,18 +218,29 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<Real
   for (int r = 0; r < rounds; ++r) {
     const int l = threadIdx.x + r * patch_threads;
     if (l < head.entries) row[r] = first_row(head, lists.rows, l);
-    if (l < head.interior) before[r] = node_step.read(head.first_node + l);
+    if (l < head.interior) before[r] = step.read(head.first_node + l);
   }
   __syncthreads();
 
+  // Results lie where the places were: of nodes inside as far behind a border as their values, then partial sums.
+  Real* const result = places + behind_border<Real>(first_value);
+  Real* const partial = places + reals_in_16_bytes<Real> + behind_border<Real>(width * head.first_entry);
+  const auto controls = step.controls();
   const auto finish = [&](int l, const uint4& first, const typename NodeStep::Before& b) {
-    Real sum[3];
-    sum_corners<3>(head, lists.rows, l, first, force, stride, sum);
-    if (l < head.interior) {
-      node_step(head.first_node + l, b, sum);
-    } else {
-      ASHLAR_UNROLL
-      for (int c = 0; c < 3; ++c) body.partial[3 * (head.first_entry + l) + c] = sum[c];
+    Real sum[width];
+    sum_corners<width>(head, lists.rows, l, first, corner, stride, sum);
+    ASHLAR_UNROLL
+    for (int c = 0; c < width; ++c) {
+      const int i = width * l + c;
+      if (l >= head.interior) {
+        partial[i] = sum[c];
+      } else if constexpr (NodeStep::moves) {
+        SummedValue<Real> moved = value[i];
+        result[i] = step(controls, b, c, sum[c], moved);
+        value.write(i, moved);
+      } else {
+        result[i] = sum[c];
+      }
     }
   };
   ASHLAR_UNROLL
@@ -164,9 +249,41 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<Real
     if (l < head.entries) finish(l, row[r], before[r]);
   }
   for (int l = threadIdx.x + rounds * patch_threads; l < head.entries; l += patch_threads) {
-    const typename NodeStep::Before b = l < head.interior ? node_step.read(head.first_node + l) : typename NodeStep::Before{};
+    typename NodeStep::Before b{};
+    if (l < head.interior) b = step.read(head.first_node + l);
     finish(l, first_row(head, lists.rows, l), b);
   }
+  __syncthreads();
+
+  store_span<patch_threads>(step.result(), first_value, inside, result);
+  store_span<patch_threads>(work.partial(), width * (head.first_entry + head.interior),
+                            width * (head.entries - head.interior), partial + inside);
+  if constexpr (NodeStep::moves) {
+    store_span<patch_threads>(values.high, first_value, inside, value.high);
+    if (value.low) store_span<patch_threads>(values.low, first_value, inside, value.low);
+  }
 }
+
+/// Sums of a boundary node's patches, then its step.
+template <class Real, int width, class NodeStep>
+struct StepBoundary {
+  NodeSetView nodes;
+  const Real* partial;
+  Summed<Real> values;
+  NodeStep step;
+  ASHLAR_HD void operator()(int b) const {
+    const int node = nodes.interior_count + b;
+    const auto before = step.read(node);
+    Real sum[width];
+    sum_patches<Real, width>(nodes, partial, b, sum);
+    const auto controls = step.controls();
+    for (int c = 0; c < width; ++c) {
+      const int i = width * node + c;
+      SummedValue<Real> moved = values[i];
+      step.result()[i] = step(controls, before, c, sum[c], moved);
+      values.write(i, moved);
+    }
+  }
+};
 
 }  // namespace ashlar

@@ -54,12 +54,15 @@ class PatchLists {
       std::fill(std::begin(empty.place), std::end(empty.place), static_cast<std::uint16_t>(nowhere(d, corners)));
       rows.resize(rows.size() + std::size_t((h.entries + 31) / 32) * 32 * h.rows_per_lane, empty);
       const int first_slot = b.first_slot + h.first_element * corners;
+      const int lane_places = 8 * h.rows_per_lane;
+      const std::vector<int> usual = usual_places(t, h, corners, first_slot);
       for (int l = 0; l < h.entries; ++l) {
         const int first = t.entry_first_slot[h.first_entry + l], last = t.entry_first_slot[h.first_entry + l + 1];
-        for (int j = first; j < last; ++j) {
+        for (int j = first, place = 0; j < last; ++j, ++place) {
           const int slot = t.entry_slot[j] - first_slot;
-          GatherRow& row = rows[h.first_row + (l / 32 * h.rows_per_lane + (j - first) / 8) * 32 + l % 32];
-          row.place[(j - first) % 8] = static_cast<std::uint16_t>(slot % corners * d.patch_size + slot / corners);
+          if (!usual.empty()) place = std::max(place, std::min(usual[slot % corners], lane_places - (last - j)));
+          GatherRow& row = rows[h.first_row + (l / 32 * h.rows_per_lane + place / 8) * 32 + l % 32];
+          row.place[place % 8] = static_cast<std::uint16_t>(slot % corners * d.patch_size + slot / corners);
         }
       }
     }
@@ -73,6 +76,22 @@ class PatchLists {
   static int nowhere(const Discretisation& d, int corners) { return corners * d.patch_size; }
 
  private:
+  /// Place of each corner in the list of the node with most elements; nodes with fewer of them leave gaps, so that
+  /// lanes read the same corner of neighbouring elements, each from its own bank. Empty if corners repeat there.
+  static std::vector<int> usual_places(const Topology& t, const PatchHead& h, int corners, int first_slot) {
+    int fullest = h.first_entry;
+    const auto length = [&](int e) { return t.entry_first_slot[e + 1] - t.entry_first_slot[e]; };
+    for (int e = h.first_entry; e < h.first_entry + h.entries; ++e)
+      if (length(e) > length(fullest)) fullest = e;
+    std::vector<int> usual(corners, -1);
+    for (int i = 0; i < length(fullest); ++i) {
+      int& place = usual[(t.entry_slot[t.entry_first_slot[fullest] + i] - first_slot) % corners];
+      if (place >= 0) return {};
+      place = i;
+    }
+    return usual;
+  }
+
   CudaArray<PatchHead> heads_;
   CudaArray<GatherRow> rows_;
   std::vector<int> most_entries_;  ///< [batches]

@@ -17,6 +17,11 @@ void Backend::relax(const Controls& controls, int steps) {
       run(phase, controls);
 }
 
+void Backend::march_heat(const Controls& controls, int steps) {
+  for (int i = 0; i < steps; ++i)
+    for (const Phase phase : {Phase::heat_flow, Phase::step_heat}) run(phase, controls);
+}
+
 std::vector<int> Setup::first_history() const {
   std::vector<int> first{0};
   for (const Batch& batch : discretisation.batches)
@@ -42,6 +47,7 @@ const char* phase_name(Phase phase) {
     case Phase::break_springs: return "break_springs";
     case Phase::heat_flow: return "heat_flow";
     case Phase::step_heat: return "step_heat";
+    case Phase::heat_steps: return "heat_steps";
     case Phase::heat_bound: return "heat_bound";
     case Phase::start_search: return "start_search";
     case Phase::search_flow: return "search_flow";

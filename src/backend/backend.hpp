@@ -33,6 +33,7 @@ enum class Phase : std::uint8_t {
   break_springs,         ///< cracks contact points at or above Controls::break_threshold
   heat_flow,             ///< conduction and film at the present temperature, into Field::heat_flow
   step_heat,             ///< temperature after Controls::time_step, held nodes kept
+  heat_steps,            ///< the two above, Controls::steps times, as machines do that fuse them
   heat_bound,            ///< diagonal and row sums of conduction and film, into Field::heat_bound
   start_search,          ///< steady stages: residual from Field::heat_flow, first direction of conjugate gradients
   search_flow,           ///< conduction and film of the direction
@@ -92,7 +93,7 @@ struct Controls {
   double stiffness_damping = 0;  ///< motions: Rayleigh, s
   double search_length = 0;      ///< conjugate gradients: alpha
   double search_keep = 0;        ///< conjugate gradients: beta
-  int steps = 1;                 ///< relaxation_steps
+  int steps = 1;                 ///< relaxation_steps, heat_steps
   Field combined{};              ///< combine_parts
   std::span<const double> factors{};  ///< combine_parts: of every part after the first
 };
@@ -176,6 +177,8 @@ class Backend {
   double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
   /// Steps of relaxation: block_force, gather_force, spring_force, move_nodes. Machines may fuse them; the bits stay.
   virtual void relax(const Controls& controls, int steps);
+  /// Steps of a transient: heat_flow, step_heat.
+  virtual void march_heat(const Controls& controls, int steps);
   virtual RelaxationMeasure relaxation_sums() = 0;
   virtual HeatMeasure heat_sums() = 0;
   /// After a force at the displacement that a step of `step_before` seconds led to.

@@ -95,6 +95,18 @@ class CpuExec {
                                  d.patch_first_element[p + 1] - source.first_element);
   }
 
+  /// Heat flow of one batch, into the nodes inside its patches and the partial sums of the others.
+  template <template <class> class Element, class Real>
+  void heat_flows(ElementTag<Element>, const HeatView<Real>& heat, const BatchView& batch, Real conductivity,
+                  const Summed<Real>& field, const Discretisation& d, int b, const StoreSum<Real>& store) const {
+    for_each(batch.element_count, HeatFlow<Element, Real>{heat, batch, conductivity, field});
+    const Batch& source = d.batches[b];
+    const GatherPatch<Real, 1> gather{heat.nodes, heat.corner, heat.partial, store.sum};
+    const int first = d.heat.patch_first_entry[source.first_patch];
+    for_each(d.heat.patch_first_entry[source.first_patch + source.patch_count] - first,
+             [&](int i) { gather(first + i); });
+  }
+
  private:
   template <int count, class Terms>
   std::vector<double> sum_chunks(int n, const Terms& terms) const {

@@ -5,6 +5,7 @@
 #include "backend/backend.hpp"
 #include "backend/node_set.hpp"
 #include "backend/summed_array.hpp"
+#include "kernels/element_types.hpp"
 #include "kernels/gather.hpp"
 #include "kernels/heat_flow.hpp"
 #include "kernels/heat_gauss.hpp"
@@ -13,14 +14,6 @@
 #include "kernels/relaxation_sums.hpp"
 
 namespace ashlar {
-
-/// The thermal kernels of one element type.
-template <template <class> class E, class Real>
-struct HeatKernels {
-  using Flow = HeatFlow<E, Real>;
-  using Bound = HeatBound<E, Real>;
-  using Gauss = GaussTemperature<E, Real>;
-};
 
 /// The thermal lane in a machine's memory and its phases; shares nothing with the mechanical lane but the Gauss-point
 /// warming that it hands over.
@@ -42,6 +35,7 @@ class HeatLane {
     bound.resize(2 * nodes);
     corner_.resize(2 * std::size_t(d.slot_count));
     partial_.resize(2 * std::size_t(d.heat.entry_count()));
+    time_step_.resize(1);
     view_ = {.nodes = nodes_.view(),
              .x = x_.data(),
              .temperature = temperature.view(),
@@ -54,7 +48,13 @@ class HeatLane {
              .partial = partial_.data(),
              .bound = bound.data(),
              .residual = residual_.data(),
-             .direction = direction_.data()};
+             .direction = direction_.data(),
+             .film_node_count = 0,
+             .film_node = nullptr,
+             .film_first = nullptr,
+             .film_column = nullptr,
+             .film_value = nullptr,
+             .film_flow = nullptr};
   }
 
   void write_films(const FilmMatrix& films) {
@@ -62,11 +62,13 @@ class HeatLane {
     film_first_.assign(films.first);
     film_column_.assign(films.column);
     film_value_.assign(std::vector<Real>(films.value.begin(), films.value.end()));
+    film_flow_.resize(films.node.empty() ? 0 : view_.nodes.node_count);
     view_.film_node_count = static_cast<int>(films.node.size());
     view_.film_node = film_node_.data();
     view_.film_first = film_first_.data();
     view_.film_column = film_column_.data();
     view_.film_value = film_value_.data();
+    view_.film_flow = films.node.empty() ? nullptr : film_flow_.data();
   }
 
   void give_temperature(std::size_t nodes) {
@@ -75,12 +77,29 @@ class HeatLane {
   }
   void find_flow(Exec& exec) { find_flow_of(exec, view_.temperature); }
   void find_search_flow(Exec& exec) { find_flow_of(exec, {view_.direction}); }
-  void step(Exec& exec, double time_step) { exec.for_each(node_count(), StepHeat<Real>{view_, Real(time_step)}); }
+  void step(Exec& exec, double time_step) {
+    set_time_step(time_step);
+    exec.for_each(node_count(), step_heat());
+  }
+  /// Steps of a transient as the machine does them best.
+  void march(Exec& exec, double time_step, int steps) {
+    if constexpr (Exec::marches) {
+      set_time_step(time_step);
+      exec.repeat("heat", steps, [&] {
+        film_flow(exec, view_.temperature);
+        each_batch([&](auto element, const BatchView& batch, Real conductivity, int b) {
+          exec.heat_flows(element, view_, batch, conductivity, view_.temperature, discretisation_, b, step_heat());
+        });
+        exec.heat_boundary(view_, view_.temperature, discretisation_, step_heat());
+      });
+    }
+  }
   void find_bound(Exec& exec) {
-    each_batch([&](auto element, const BatchView& batch, Real conductivity) {
-      exec.for_each(batch.element_count, typename decltype(element)::Bound{view_, batch, conductivity});
+    each_batch([&](auto element, const BatchView& batch, Real conductivity, int) {
+      bound_of(exec, element, batch, conductivity);
     });
-    gather<2>(exec, view_.bound);
+    exec.for_each(view_.nodes.entry_count, GatherPatch<Real, 2>{view_.nodes, view_.corner, view_.partial, view_.bound});
+    gather_boundary<2>(exec, view_.bound);
     exec.for_each(view_.film_node_count, FilmBound<Real>{view_});
   }
   void start_search(Exec& exec) { exec.for_each(node_count(), StartSearch<Real>{view_}); }
@@ -93,9 +112,7 @@ class HeatLane {
     return {std::sqrt(s[sum_residual]), s[sum_preconditioned], s[sum_along]};
   }
   void warm_gauss_points(Exec& exec, Real* warming) {
-    each_batch([&](auto element, const BatchView& batch, Real) {
-      exec.for_each(batch.element_count, typename decltype(element)::Gauss{view_, batch, reference_, warming});
-    });
+    each_batch([&](auto element, const BatchView& batch, Real, int) { gauss_of(exec, element, batch, warming); });
   }
 
  private:
@@ -103,38 +120,56 @@ class HeatLane {
   using Array = typename Exec::template Array<T>;
   int node_count() const { return view_.nodes.node_count; }
 
-  /// Calls work(kernels, batch, conductivity) for every batch.
+  StepHeat<Real> step_heat() { return {view_, time_step_.data()}; }
+  void set_time_step(double time_step) {
+    if (Real(time_step) != last_time_step_) time_step_.upload({Real(time_step)});
+    last_time_step_ = Real(time_step);
+  }
+
+  /// Calls work(element tag, batch view, conductivity, batch index) for every batch.
   template <class Work>
   void each_batch(Work work) const {
-    for (const Batch& b : discretisation_.batches) {
-      const BatchView batch{b.first_patch,  discretisation_.patch_size, b.element_count,
-                            b.first_slot, b.first_gauss};
+    for (int i = 0; i < static_cast<int>(discretisation_.batches.size()); ++i) {
+      const Batch& b = discretisation_.batches[i];
+      const BatchView batch{b.first_patch, discretisation_.patch_size, b.element_count, b.first_slot, b.first_gauss};
       const Real conductivity = Real(conductivity_[b.material]);
       switch (b.shape) {
-        case Shape::hex8: work(HeatKernels<Hex8, Real>{}, batch, conductivity); break;
-        case Shape::wedge6: work(HeatKernels<Wedge6, Real>{}, batch, conductivity); break;
-        case Shape::tet4: work(HeatKernels<Tet4, Real>{}, batch, conductivity); break;
+        case Shape::hex8: work(ElementTag<Hex8>{}, batch, conductivity, i); break;
+        case Shape::wedge6: work(ElementTag<Wedge6>{}, batch, conductivity, i); break;
+        case Shape::tet4: work(ElementTag<Tet4>{}, batch, conductivity, i); break;
       }
     }
   }
+  template <template <class> class E>
+  void bound_of(Exec& exec, ElementTag<E>, const BatchView& batch, Real conductivity) {
+    exec.for_each(batch.element_count, HeatBound<E, Real>{view_, batch, conductivity});
+  }
+  template <template <class> class E>
+  void gauss_of(Exec& exec, ElementTag<E>, const BatchView& batch, Real* warming) {
+    exec.for_each(batch.element_count, GaussTemperature<E, Real>{view_, batch, reference_, warming});
+  }
   template <int width>
-  void gather(Exec& exec, Real* sum) {
-    exec.for_each(view_.nodes.entry_count, GatherPatch<Real, width>{view_.nodes, view_.corner, view_.partial, sum});
+  void gather_boundary(Exec& exec, Real* sum) {
     exec.for_each(discretisation_.heat.boundary_count(), GatherBoundary<Real, width>{view_.nodes, view_.partial, sum});
   }
-  void find_flow_of(Exec& exec, const Summed<Real>& field) {
-    each_batch([&](auto element, const BatchView& batch, Real conductivity) {
-      exec.for_each(batch.element_count, typename decltype(element)::Flow{view_, batch, conductivity, field});
-    });
-    gather<1>(exec, view_.flow);
+  void film_flow(Exec& exec, const Summed<Real>& field) {
     exec.for_each(view_.film_node_count, FilmFlow<Real>{view_, field});
+  }
+  void find_flow_of(Exec& exec, const Summed<Real>& field) {
+    each_batch([&](auto element, const BatchView& batch, Real conductivity, int b) {
+      exec.heat_flows(element, view_, batch, conductivity, field, discretisation_, b, StoreSum<Real>{view_.flow});
+    });
+    gather_boundary<1>(exec, view_.flow);
+    film_flow(exec, field);
+    exec.for_each(view_.film_node_count, AddFilm<Real>{view_});
   }
 
   const Discretisation& discretisation_;
   std::vector<double> conductivity_;
   Real reference_;
   NodeSet<Exec> nodes_;
-  Array<Real> x_, residual_, direction_, corner_, partial_, film_value_;
+  Array<Real> x_, residual_, direction_, corner_, partial_, film_value_, film_flow_, time_step_;
+  Real last_time_step_ = 0;
   Array<int> film_node_, film_first_, film_column_;
   HeatView<Real> view_;
 

@@ -230,6 +230,7 @@ class Phases final : public Backend {
                               BreakSprings<Real>{springs_.view(), body_.u, Real(controls.break_threshold)});
       case Phase::heat_flow: return heat_.find_flow(exec_);
       case Phase::step_heat: return heat_.step(exec_, controls.time_step);
+      case Phase::heat_steps: return heat_.march(exec_, controls.time_step, controls.steps);
       case Phase::heat_bound: return heat_.find_bound(exec_);
       case Phase::start_search: return heat_.start_search(exec_);
       case Phase::search_flow: return heat_.find_search_flow(exec_);
@@ -267,6 +268,12 @@ class Phases final : public Backend {
     } else {
       Backend::relax(controls, steps);
     }
+  }
+  void march_heat(const Controls& controls, int steps) override {
+    if constexpr (Exec::marches)
+      run(Phase::heat_steps, {.time_step = controls.time_step, .steps = steps});
+    else
+      Backend::march_heat(controls, steps);
   }
 
   RelaxationMeasure relaxation_sums() override {
@@ -345,11 +352,11 @@ class Phases final : public Backend {
   void relaxation_steps(int steps) {
     if constexpr (Exec::marches) {
       const bool free = contact_count() == 0 && !groups_.first && every_batch_fits();
-      exec_.repeat(free + 2 * warm_, steps, [&] {
+      exec_.repeat(std::string(free ? "free" : "jointed") + (warm_ ? ", warm" : ""), steps, [&] {
         if (free) {
           const MoveNode<Real> step{body_, damping_.data()};
           each_batch([&](auto element, const auto& law, int b) { step_patches(element, law, b, step); });
-          exec_.boundary(body_, discretisation_, step);
+          exec_.step_boundary(body_, discretisation_, step);
         } else {
           run_phase(Phase::block_force, {});
           run_phase(Phase::gather_force, {});
@@ -371,7 +378,7 @@ class Phases final : public Backend {
   template <template <class> class E, class Point>
   void step_patches(ElementTag<E>, const Point& law, int b, const MoveNode<Real>& step) {
     with_warmth<Point>([&]<bool Warm>() {
-      exec_.template patches<E, Warm>(body_, batch_view(b), law, discretisation_, b, step);
+      exec_.template step_blocks<E, Warm>(body_, batch_view(b), law, discretisation_, b, step);
     });
   }
   /// Whether there is temperature as a constant, for laws that have a form without.

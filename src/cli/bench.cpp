@@ -98,13 +98,7 @@ Controls step_controls() {
   return controls;
 }
 void steps(Backend& backend, bool thermal, int count) {
-  if (thermal)
-    for (int i = 0; i < count; ++i) {
-      backend.run(Phase::heat_flow);
-      backend.run(Phase::step_heat, step_controls());
-    }
-  else
-    backend.relax(step_controls(), count);
+  thermal ? backend.march_heat(step_controls(), count) : backend.relax(step_controls(), count);
 }
 
 /// Seconds of one step: as many as fit into `seconds_each`, in rows, after a warm-up.

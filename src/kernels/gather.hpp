@@ -46,6 +46,17 @@ struct GatherBoundary {
   }
 };
 
+/// Node step (see MoveNode) that keeps the sums.
+template <class Real>
+struct StoreSum {
+  static constexpr bool moves = false;
+  Real* sum;  ///< [width * nodes]
+  struct Before {};
+  ASHLAR_HD Before read(int) const { return {}; }
+  ASHLAR_HD Before controls() const { return {}; }
+  ASHLAR_HD Real* result() const { return sum; }
+};
+
 /// One node -> the largest of its three components.
 template <class Real>
 struct LargestComponent {

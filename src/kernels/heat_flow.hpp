@@ -45,18 +45,25 @@ struct HeatFlow {
   }
 };
 
-/// One node with film -> adds what leaves through it to the conducted flow.
+/// One node with film -> what leaves through it.
 template <class Real>
 struct FilmFlow {
   HeatView<Real> heat;
   Summed<Real> field;  ///< [nodes]
 
   ASHLAR_HD void operator()(int i) const {
-    Real sum = heat.flow[heat.film_node[i]];
+    Real sum = Real(0);
     for (int j = heat.film_first[i]; j < heat.film_first[i + 1]; ++j)
       sum = fma(heat.film_value[j], field[heat.film_column[j]].high, sum);
-    heat.flow[heat.film_node[i]] = sum;
+    heat.film_flow[heat.film_node[i]] = sum;
   }
+};
+
+/// One node with film -> adds it to the conducted flow.
+template <class Real>
+struct AddFilm {
+  HeatView<Real> heat;
+  ASHLAR_HD void operator()(int i) const { heat.flow[heat.film_node[i]] += heat.film_flow[heat.film_node[i]]; }
 };
 
 /// One element -> diagonal and absolute row sum of its conduction, in its corner slots (Gershgorin: their nodal sums

@@ -31,6 +31,7 @@ struct HeatView {
   const int* film_first = nullptr;
   const int* film_column = nullptr;
   const Real* film_value = nullptr;  ///< W/K
+  Real* film_flow = nullptr;         ///< [nodes] W leaving through film; null: there is none
 };
 
 }  // namespace ashlar

@@ -20,12 +20,11 @@ struct MoveNode {
   BodyView<Real> body;
   const StepDamping<Real>* damping;
 
-  /// What a step needs beside the force of one component of a node.
+  /// What a step needs beside displacement and force of one component of a node.
   struct Component {
-    SummedValue<Real> u;
     Real v, load;
   };
-  ASHLAR_HD Component read_component(int i) const { return {body.u[i], body.v[i], body.load[i]}; }
+  ASHLAR_HD Component read_component(int i) const { return {body.v[i], body.load[i]}; }
   ASHLAR_HD static bool held(std::uint8_t fixed, int c) { return (unsigned(fixed) >> c) & 1u; }
 
   /// Unbalanced force, less local damping; `force` is internal and contact force, N.
@@ -35,17 +34,16 @@ struct MoveNode {
     return fma(-d.local * (f < Real(0) ? -f : f), sign, f);
   }
 
+  /// Velocity after the step.
   /// @param shared acceleration of the group that the node belongs to
-  ASHLAR_HD void move(const StepDamping<Real>& d, int i, const Component& before, Real inverse_mass, Real force,
-                      Real shared) const {
-    const Real moved = fma(d.keep, before.v, d.gain * fma(inverse_mass, damped_force(d, before, force), shared));
-    body.v[i] = moved;
-    SummedValue<Real> u = before.u;
-    u.add(moved);
-    body.u.write(i, u);
+  ASHLAR_HD static Real velocity(const StepDamping<Real>& d, const Component& before, Real inverse_mass, Real force,
+                                 Real shared) {
+    return fma(d.keep, before.v, d.gain * fma(inverse_mass, damped_force(d, before, force), shared));
   }
 
-  /// A whole node: machines that make its step as soon as its force is there ask for this early.
+  /// A whole node, for machines that make its step as soon as its force is there: they ask for this early, keep what
+  /// comes back in result().
+  static constexpr bool moves = true;
   struct Before {
     Component along[3];
     Real inverse_mass;
@@ -56,12 +54,15 @@ struct MoveNode {
             body.inverse_mass[node],
             body.fixed[node]};
   }
-  ASHLAR_HD void operator()(int node, const Before& before, const Real (&force)[3]) const {
-    const StepDamping<Real> d = *damping;
-    ASHLAR_UNROLL
-    for (int c = 0; c < 3; ++c)
-      if (!held(before.fixed, c))
-        move(d, 3 * node + c, before.along[c], before.inverse_mass, force[c], Real(0));
+  ASHLAR_HD StepDamping<Real> controls() const { return *damping; }
+  ASHLAR_HD Real* result() const { return body.v; }
+  /// Velocity of component c of a node by itself; its displacement `u` moves.
+  ASHLAR_HD Real operator()(const StepDamping<Real>& d, const Before& before, int c, Real force,
+                            SummedValue<Real>& u) const {
+    if (held(before.fixed, c)) return before.along[c].v;
+    const Real moved = velocity(d, before.along[c], before.inverse_mass, force, Real(0));
+    u.add(moved);
+    return moved;
   }
 };
 
@@ -78,8 +79,12 @@ struct MoveNodes {
       const Real shared = shared_pull(d, group, c);
       for (int j = groups.begin(group); j < groups.end(group); ++j) {
         const int node = groups.node(j), i = 3 * node + c;
-        if (!step.held(body.fixed[node], c))
-          step.move(d, i, step.read_component(i), body.inverse_mass[node], body.force[i], shared);
+        if (step.held(body.fixed[node], c)) continue;
+        const Real moved = step.velocity(d, step.read_component(i), body.inverse_mass[node], body.force[i], shared);
+        SummedValue<Real> u = body.u[i];
+        u.add(moved);
+        body.u.write(i, u);
+        body.v[i] = moved;
       }
     }
   }

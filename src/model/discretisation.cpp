@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <iterator>
 
 #include "model/hilbert.hpp"
 
@@ -40,12 +41,15 @@ Topology build_topology(const Discretisation& d, std::vector<int> corner, int so
     const auto [first, last] = slots_of_patch(p);
     interior.clear();
     boundary.clear();
-    for (int s = first; s < last; ++s) {
-      const int n = corner[s];
-      if (entry_in_patch[n] >= 0) continue;
-      entry_in_patch[n] = 0;
-      (first_patch[n] == last_patch[n] ? interior : boundary).push_back(n);
-    }
+    // First corners of all elements, then second ones: neighbours in a patch find theirs side by side.
+    const int corners = corner_count(d.batch_of_patch(p).shape);
+    for (int k = 0; k < corners; ++k)
+      for (int s = first + k; s < last; s += corners) {
+        const int n = corner[s];
+        if (entry_in_patch[n] >= 0) continue;
+        entry_in_patch[n] = 0;
+        (first_patch[n] == last_patch[n] ? interior : boundary).push_back(n);
+      }
     for (const int n : interior) t.new_node[n] = next++;
     int entry = 0;
     for (const auto* list : {&interior, &boundary})
@@ -92,6 +96,19 @@ Topology build_topology(const Discretisation& d, std::vector<int> corner, int so
   return t;
 }
 
+/// Those elements of the curve that belong, cut into patches; in a patch as the mesh has them, rows side by side.
+template <class Belongs>
+std::vector<int> elements_in_patches(const std::vector<int>& along_curve, int patch_size, const Belongs& belongs) {
+  std::vector<int> elements;
+  std::copy_if(along_curve.begin(), along_curve.end(), std::back_inserter(elements), belongs);
+  for (auto first = elements.begin(); first != elements.end();) {
+    const auto last = first + std::min<std::ptrdiff_t>(patch_size, elements.end() - first);
+    std::sort(first, last);
+    first = last;
+  }
+  return elements;
+}
+
 }  // namespace
 
 Discretisation discretise(const Mesh& mesh, const Blocks& blocks, const std::vector<int>& material_of_region,
@@ -117,8 +134,9 @@ Discretisation discretise(const Mesh& mesh, const Blocks& blocks, const std::vec
       b.first_slot = d.slot_count;
       b.first_gauss = d.gauss_count;
       b.first_patch = d.patch_count();
-      for (const int e : along_curve) {
-        if (mesh.shapes[e] != shape || material_of_region[mesh.regions[e]] != material) continue;
+      for (const int e : elements_in_patches(along_curve, patch_size, [&](int e) {
+             return mesh.shapes[e] == shape && material_of_region[mesh.regions[e]] == material;
+           })) {
         d.new_element[e] = static_cast<int>(d.source_element.size());
         d.source_element.push_back(e);
         for (int s = mesh.first_corner[e]; s < mesh.first_corner[e + 1]; ++s) {

@@ -6,7 +6,7 @@
 #include "model/mesh.hpp"
 
 /// The model in the order that machines work in: batches of one shape and material, elements along a Hilbert curve, cut
-/// into patches. The summation order of every nodal sum (element by element in a patch, then patch by patch) is fixed
+/// into patches, in which they keep the order of the mesh. The summation order of every nodal sum (element by element in a patch, then patch by patch) is fixed
 /// here, for every machine (numerics 1 and 8).
 namespace ashlar {
 

@@ -19,7 +19,7 @@ class Lane {
  public:
   Mesh mesh;
   Discretisation d;
-  std::vector<double> x, temperature, heat, inverse_capacity, flow, corner, partial, bound, film_value;
+  std::vector<double> x, temperature, heat, inverse_capacity, flow, corner, partial, bound, film_value, film_flow;
   std::vector<std::uint8_t> held;
   std::vector<int> film_node, film_first, film_column;
   HeatView<double> view;
@@ -66,6 +66,8 @@ class Lane {
     view.film_first = film_first.data();
     view.film_column = film_column.data();
     view.film_value = film_value.data();
+    film_flow.assign(view.nodes.node_count, 0);
+    view.film_flow = film_flow.data();
   }
 
   template <class Kernel>
@@ -102,6 +104,7 @@ class Lane {
     each_batch([&](auto e, const BatchView& b) { flow_of(e, b, conductivity); });
     gather<1>(flow);
     each(view.film_node_count, FilmFlow<double>{view, view.temperature});
+    each(view.film_node_count, AddFilm<double>{view});
   }
   void find_bound(double conductivity) {
     each_batch([&](auto e, const BatchView& b) { bound_of(e, b, conductivity); });
@@ -224,12 +227,13 @@ TEST(HeatStep, heat_into_a_free_body_raises_its_mean_by_energy_over_capacity_and
   };
   const double before = energy(), heat = std::accumulate(lane.heat.begin(), lane.heat.end(), 0.0);
   lane.find_flow(2.7);
-  Lane::each(nodes, StepHeat<double>{lane.view, 3600});
+  const double time_step = 3600;
+  Lane::each(nodes, StepHeat<double>{lane.view, &time_step});
   EXPECT_NEAR(energy() - before, heat * 3600, 1e-12 * std::abs(before) + 1e-9 * heat * 3600);
 
   lane.held[5] = 1;
   lane.temperature[5] = 7;
-  Lane::each(nodes, StepHeat<double>{lane.view, 3600});
+  Lane::each(nodes, StepHeat<double>{lane.view, &time_step});
   EXPECT_EQ(lane.temperature[5], 7);
 }
 
