@@ -101,7 +101,7 @@ class CudaExec {
   /// Whether a patch of the batch has room in shared memory.
   template <template <class> class Element, class Real>
   bool fits(int b) const {
-    return patch_bytes<Real, Element<Real>::corners, 3>(capacity(*blocks_, b)) <= shared_bytes_;
+    return patch_bytes<Real, 3>(blocks_->view().slots, capacity(*blocks_, b)) <= shared_bytes_;
   }
 
   /// Forces of one batch; every node that lies inside a patch makes its step at once.
@@ -169,7 +169,7 @@ class CudaExec {
   void patches(const Work& work, const PatchLists& lists, const Discretisation& d, int b, const NodeStep& step) const {
     const auto kernel = run_patch<Work, NodeStep>;
     const int entries = capacity(lists, b);
-    const std::size_t size = patch_bytes<typename Work::Real, Work::corners, Work::width>(entries);
+    const std::size_t size = patch_bytes<typename Work::Real, Work::width>(lists.view().slots, entries);
     check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(size)),
           "ask for shared memory");
     kernel<<<d.batches[b].patch_count, patch_threads, size, stream_.get()>>>(work, lists.view(), d.batches[b].first_patch,

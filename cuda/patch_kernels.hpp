@@ -18,9 +18,6 @@ inline constexpr int patch_threads = 128;
 template <class Real>
 inline constexpr int patch_groups_per_processor = sizeof(Real) == 4 ? 4 : 2;
 
-template <class Real>
-inline constexpr int patch_capacity = sizeof(Real) == 4 ? patch_size_single : patch_size_double;
-
 /// Element forces: what a patch does with displacements.
 template <template <class> class Element, bool Warm, class Point, class Real_>
 struct StressPatch {
@@ -62,8 +59,7 @@ struct HeatPatch {
 
 /// Corner values of one component in shared memory, and the zero that unused gather places point to. The padding moves
 /// components to other banks.
-template <class Real, int corners>
-inline constexpr int component_stride = corners * patch_capacity<Real> + 8;
+__host__ __device__ constexpr int component_stride(int slots) { return slots + 8; }
 
 /// Numbers of shared memory for `width` of them an entry, wherever the first lies behind a 16-byte border.
 template <class Real>
@@ -73,9 +69,9 @@ __host__ __device__ constexpr int staged_numbers(int width, int entries) {
 }
 
 /// Bytes of shared memory that a patch needs: corner values; places, later results; values.
-template <class Real, int corners, int width>
-constexpr std::size_t patch_bytes(int entries) {
-  return sizeof(Real) * (std::size_t(width) * component_stride<Real, corners> + staged_numbers<Real>(3, entries) +
+template <class Real, int width>
+constexpr std::size_t patch_bytes(int slots, int entries) {
+  return sizeof(Real) * (std::size_t(width) * component_stride(slots) + staged_numbers<Real>(3, entries) +
                          (Summed<Real>::paired ? 2 : 1) * staged_numbers<Real>(width, entries));
 }
 
@@ -160,7 +156,8 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<type
     run_patch(const Work work, const PatchListsView lists, const int first_patch, const int capacity,
               const NodeStep step) {
   using Real = typename Work::Real;
-  constexpr int corners = Work::corners, width = Work::width, stride = component_stride<Real, corners>;
+  constexpr int corners = Work::corners, width = Work::width;
+  const int stride = component_stride(lists.slots), patch_size = work.batch.patch_size;
   extern __shared__ __align__(16) unsigned char shared[];
   const PatchHead head = lists.heads[first_patch + blockIdx.x];
   const Summed<Real> values = work.values();
@@ -187,7 +184,7 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<type
     prefetch_step(step, head.first_node, head.interior);
     prefetch_span(lists.rows, head.first_row, (head.entries + 31) / 32 * 32 * head.rows_per_lane);
   }
-  if (threadIdx.x < width) corner[threadIdx.x * stride + corners * patch_capacity<Real>] = Real(0);
+  if (threadIdx.x < width) corner[threadIdx.x * stride + lists.slots] = Real(0);
   wait_for_copies();
   __syncthreads();
 
@@ -207,7 +204,7 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<type
     ASHLAR_UNROLL
     for (int k = 0; k < corners; ++k)
       ASHLAR_UNROLL
-      for (int c = 0; c < width; ++c) corner[c * stride + k * patch_capacity<Real> + i] = f[c][k];
+      for (int c = 0; c < width; ++c) corner[c * stride + k * patch_size + i] = f[c][k];
   }
 
   // What the first rounds of sums need is on its way while slower threads are still at their elements.

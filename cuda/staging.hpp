@@ -55,14 +55,15 @@ __device__ __forceinline__ void store_span(Real* array, int first, int count, co
       });
 }
 
-/// Asks for array[first .. first + count) in the second-level cache; one thread does.
+/// Asks for array[first .. first + count) in the second-level cache, where the device can; one thread does.
 template <class T>
 __device__ __forceinline__ void prefetch_span(const T* array, int first, int count) {
-  if (count <= 0) return;
+#if __CUDA_ARCH__ >= 900
   const auto begin = reinterpret_cast<std::uintptr_t>(array + first) & ~std::uintptr_t{15};
   const auto end = reinterpret_cast<std::uintptr_t>(array + first + count) & ~std::uintptr_t{15};
   if (end > begin)
     asm volatile("cp.async.bulk.prefetch.L2.global [%0], %1;\n" ::"l"(begin), "r"(static_cast<unsigned>(end - begin)));
+#endif
 }
 
 }  // namespace ashlar

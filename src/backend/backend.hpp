@@ -215,8 +215,6 @@ class Backend {
   std::array<double, static_cast<std::size_t>(Phase::count)> seconds_{};
 };
 
-enum class Precision { double_precision, single_precision };
-
 /// @param threads number of threads; 0: all cores
 std::unique_ptr<Backend> make_cpu_backend(const Setup& setup, Precision precision, int threads);
 

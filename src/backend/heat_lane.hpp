@@ -131,7 +131,7 @@ class HeatLane {
   void each_batch(Work work) const {
     for (int i = 0; i < static_cast<int>(discretisation_.batches.size()); ++i) {
       const Batch& b = discretisation_.batches[i];
-      const BatchView batch{b.first_patch, discretisation_.patch_size, b.element_count, b.first_slot, b.first_gauss};
+      const BatchView batch{b.first_patch, b.patch_size, b.element_count, b.first_slot, b.first_gauss};
       const Real conductivity = Real(conductivity_[b.material]);
       switch (b.shape) {
         case Shape::hex8: work(ElementTag<Hex8>{}, batch, conductivity, i); break;

@@ -29,6 +29,7 @@ struct Pack {
     for (int i = 0; i < width; ++i) r.lanes[i] = fma(a.lanes[i], b.lanes[i], c.lanes[i]);
     return r;
   }
+  friend ASHLAR_HD Pack reciprocal(Pack a) { return Pack(T(1)) / a; }
   friend ASHLAR_HD Pack root(Pack a) {
     Pack r;
     for (int i = 0; i < width; ++i) r.lanes[i] = root(a.lanes[i]);

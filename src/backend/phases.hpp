@@ -293,10 +293,18 @@ class Phases final : public Backend {
     group_first_.assign(groups.first);
     group_member_.assign(groups.member);
     group_pull_.assign(std::vector<Real>(groups.pull.begin(), groups.pull.end()));
-    groups_ = {.group_count = static_cast<int>(groups.pull.size()),
+    const int count = static_cast<int>(groups.pull.size());
+    std::vector<int> of_node(groups.member.size());
+    for (int g = 0; g < count; ++g)
+      for (int j = groups.first[g]; j < groups.first[g + 1]; ++j) of_node[groups.member[j]] = g;
+    group_of_node_.assign(of_node);
+    group_shared_.resize(3 * std::size_t(count));
+    groups_ = {.group_count = count,
                .first = group_first_.data(),
                .member = group_member_.data(),
-               .pull = group_pull_.data()};
+               .pull = group_pull_.data(),
+               .of_node = group_of_node_.data(),
+               .shared = group_shared_.data()};
   }
   void write_aggregates(const NodeAggregates& aggregates) override {
     balance_.write_aggregates(aggregates, discretisation_.block_points);
@@ -341,7 +349,11 @@ class Phases final : public Backend {
     damping_.upload({damping});
     last_damping_ = damping;
   }
-  void move_nodes() { exec_.for_each(groups_.group_count, MoveNodes<Real>{groups_, {body_, damping_.data()}}); }
+  void move_nodes() {
+    const MoveNode<Real> step{body_, damping_.data()};
+    if (groups_.first) exec_.for_each(3 * groups_.group_count, PullGroup<Real>{groups_, step});
+    exec_.for_each(node_count(), MoveNodes<Real>{groups_, step});
+  }
 
   void sum_relaxation() {
     relaxation_sums_ =
@@ -405,8 +417,8 @@ class Phases final : public Backend {
   }
   BatchView batch_view(int b) const {
     const Batch& batch = discretisation_.batches[b];
-    return {batch.first_patch, discretisation_.patch_size, batch.element_count,
-            batch.first_slot,  batch.first_gauss,           first_history_[b], corner_count(batch.shape)};
+    return {batch.first_patch, batch.patch_size, batch.element_count,
+            batch.first_slot,  batch.first_gauss, first_history_[b], corner_count(batch.shape)};
   }
 
   template <template <class> class E, class Point>
@@ -544,8 +556,8 @@ class Phases final : public Backend {
   Array<std::uint8_t> fixed_;
   std::array<double, relaxation_sum_count> relaxation_sums_{};
   BodyView<Real> body_;
-  Array<int> group_first_, group_member_;
-  Array<Real> group_pull_;
+  Array<int> group_first_, group_member_, group_of_node_;
+  Array<Real> group_pull_, group_shared_;
   GroupView<Real> groups_;
   bool warm_ = false;
 };

@@ -13,6 +13,31 @@ ASHLAR_HD float fma(float a, float b, float c) { return ::fmaf(a, b, c); }
 ASHLAR_HD double root(double a) { return ::sqrt(a); }
 ASHLAR_HD float root(float a) { return ::sqrtf(a); }
 
+/// 1 / a of a normal number whose reciprocal is normal, correctly rounded. Devices begin with their own estimate and
+/// refine it (Markstein 1990): a general division would branch, and a branch keeps the compiler from weaving the Gauss
+/// points of an element together.
+ASHLAR_HD double reciprocal(double a) {
+#ifdef __CUDA_ARCH__
+  double r;
+  asm("rcp.approx.ftz.f64 %0, %1;" : "=d"(r) : "d"(a));
+  double e = ::fma(-a, r, 1.0);
+  e = ::fma(e, e, e);
+  r = ::fma(e, r, r);
+  return ::fma(::fma(-a, r, 1.0), r, r);
+#else
+  return 1 / a;
+#endif
+}
+ASHLAR_HD float reciprocal(float a) {
+#ifdef __CUDA_ARCH__
+  float r;
+  asm("rcp.approx.ftz.f32 %0, %1;" : "=f"(r) : "f"(a));
+  return ::fmaf(::fmaf(-a, r, 1.0f), r, r);
+#else
+  return 1 / a;
+#endif
+}
+
 template <class T>
 ASHLAR_HD T larger(T a, T b) {
   return a < b ? b : a;

@@ -66,40 +66,50 @@ struct MoveNode {
   }
 };
 
-/// One group of nodes -> its velocities and displacements.
+/// One component of one group -> acceleration of the whole group by the sum of its forces; none where a support holds
+/// one of its nodes.
+template <class Real>
+struct PullGroup {
+  GroupView<Real> groups;
+  MoveNode<Real> step;
+
+  ASHLAR_HD void operator()(int i) const {
+    const int group = i / 3, c = i % 3;
+    const StepDamping<Real> d = *step.damping;
+    Real sum = Real(0);
+    bool held = groups.single(group);
+    for (int j = groups.begin(group); j < groups.end(group); ++j) {
+      const int node = groups.node(j), k = 3 * node + c;
+      held = held || step.held(step.body.fixed[node], c);
+      sum += step.damped_force(d, step.read_component(k), step.body.force[k]);
+    }
+    groups.shared[i] = held ? Real(0) : groups.pull[group] * sum;
+  }
+};
+
+/// One node -> its velocity and displacement, with the acceleration that its group shares.
 template <class Real>
 struct MoveNodes {
   GroupView<Real> groups;
   MoveNode<Real> step;
 
-  ASHLAR_HD void operator()(int group) const {
+  ASHLAR_HD void operator()(int node) const {
     const BodyView<Real>& body = step.body;
     const StepDamping<Real> d = *step.damping;
+    const std::uint8_t fixed = body.fixed[node];
+    const Real inverse_mass = body.inverse_mass[node];
+    const Real* shared = groups.first ? groups.shared + 3 * groups.of_node[node] : nullptr;
+    ASHLAR_UNROLL
     for (int c = 0; c < 3; ++c) {
-      const Real shared = shared_pull(d, group, c);
-      for (int j = groups.begin(group); j < groups.end(group); ++j) {
-        const int node = groups.node(j), i = 3 * node + c;
-        if (step.held(body.fixed[node], c)) continue;
-        const Real moved = step.velocity(d, step.read_component(i), body.inverse_mass[node], body.force[i], shared);
-        SummedValue<Real> u = body.u[i];
-        u.add(moved);
-        body.u.write(i, u);
-        body.v[i] = moved;
-      }
+      if (step.held(fixed, c)) continue;
+      const int i = 3 * node + c;
+      const Real moved =
+          step.velocity(d, step.read_component(i), inverse_mass, body.force[i], shared ? shared[c] : Real(0));
+      SummedValue<Real> u = body.u[i];
+      u.add(moved);
+      body.u.write(i, u);
+      body.v[i] = moved;
     }
-  }
-
- private:
-  /// Acceleration of the whole group by the sum of its forces; none where a support holds one of its nodes.
-  ASHLAR_HD Real shared_pull(const StepDamping<Real>& d, int group, int c) const {
-    if (groups.single(group)) return Real(0);
-    Real sum = Real(0);
-    for (int j = groups.begin(group); j < groups.end(group); ++j) {
-      const int node = groups.node(j), i = 3 * node + c;
-      if (step.held(step.body.fixed[node], c)) return Real(0);
-      sum += step.damped_force(d, step.read_component(i), step.body.force[i]);
-    }
-    return groups.pull[group] * sum;
   }
 };
 

@@ -112,10 +112,10 @@ std::vector<int> elements_in_patches(const std::vector<int>& along_curve, int pa
 }  // namespace
 
 Discretisation discretise(const Mesh& mesh, const Blocks& blocks, const std::vector<int>& material_of_region,
-                          int patch_size) {
+                          int patch_slots) {
   Discretisation d;
   d.element_count = mesh.element_count();
-  d.patch_size = patch_size;
+  d.patch_slots = patch_slots;
   std::vector<Vec3<double>> centroids(d.element_count);
   for (int e = 0; e < d.element_count; ++e) centroids[e] = mesh.centroid(e);
   const std::vector<int> along_curve = hilbert_order(centroids);
@@ -134,7 +134,8 @@ Discretisation discretise(const Mesh& mesh, const Blocks& blocks, const std::vec
       b.first_slot = d.slot_count;
       b.first_gauss = d.gauss_count;
       b.first_patch = d.patch_count();
-      for (const int e : elements_in_patches(along_curve, patch_size, [&](int e) {
+      b.patch_size = patch_slots / corner_count(shape);
+      for (const int e : elements_in_patches(along_curve, b.patch_size, [&](int e) {
              return mesh.shapes[e] == shape && material_of_region[mesh.regions[e]] == material;
            })) {
         d.new_element[e] = static_cast<int>(d.source_element.size());
@@ -148,10 +149,10 @@ Discretisation discretise(const Mesh& mesh, const Blocks& blocks, const std::vec
       }
       if (b.element_count == 0) continue;
       d.slot_count += b.element_count * corner_count(shape);
-      b.patch_count = (b.element_count + patch_size - 1) / patch_size;
+      b.patch_count = (b.element_count + b.patch_size - 1) / b.patch_size;
       for (int p = 0; p < b.patch_count; ++p) {
         d.patch_batch.push_back(static_cast<int>(d.batches.size()));
-        d.patch_first_element.push_back(b.first_element + std::min(b.element_count, (p + 1) * patch_size));
+        d.patch_first_element.push_back(b.first_element + std::min(b.element_count, (p + 1) * b.patch_size));
       }
       d.batches.push_back(b);
     }

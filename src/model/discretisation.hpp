@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Batch {
   int first_slot = 0;   ///< corner slot of its first element; element i, corner k has slot first_slot + i * corners + k
   int first_gauss = 0;  ///< see gauss()
   int first_patch = 0, patch_count = 0;
+  int patch_size = 1;   ///< elements a patch holds at most
   /// Number of Gauss point g of the batch's element i: points side by side over elements, so that neighbours in memory
   /// belong to neighbouring elements.
   int gauss(int i, int g) const { return first_gauss + g * element_count + i; }
@@ -45,7 +47,7 @@ struct Topology {
 struct Discretisation {
   std::vector<Batch> batches;
   int element_count = 0, slot_count = 0, gauss_count = 0;
-  int patch_size = 0;                      ///< elements a patch holds at most
+  int patch_slots = 0;                     ///< corner slots that a patch holds at most
   std::vector<int> patch_first_element;    ///< [patches + 1], new element order
   std::vector<int> patch_batch;            ///< [patches]
   std::vector<int> source_element;         ///< [elements] mesh element at each new position
@@ -59,13 +61,21 @@ struct Discretisation {
   const Batch& batch_of_patch(int p) const { return batches[patch_batch[p]]; }
 };
 
-/// Elements a patch holds at most, by precision: what a thread group of a GPU can keep in shared memory.
-inline constexpr int patch_size_double = 384;
-inline constexpr int patch_size_single = 256;
+enum class Precision { double_precision, single_precision };
+
+/// Corner slots a patch holds at most, by precision: what a thread group of a GPU can keep in shared memory. Small models
+/// have small patches, enough of them for every processor.
+inline constexpr int most_patch_slots_double = 3072, most_patch_slots_single = 2048, least_patch_slots = 1024;
+inline constexpr int patches_wanted = 256;
+inline int patch_slots(int slots, Precision precision) {
+  const int most = precision == Precision::double_precision ? most_patch_slots_double : most_patch_slots_single;
+  return std::clamp(slots / patches_wanted / 128 * 128, least_patch_slots, most);
+}
 
 /// @param material_of_region [regions] index into Model::materials
+/// @param patch_slots see above; at least 8
 Discretisation discretise(const Mesh& mesh, const Blocks& blocks, const std::vector<int>& material_of_region,
-                          int patch_size);
+                          int patch_slots);
 
 /// Points at the entries of a node set, from the first entry of each patch: small numbers, whatever the model's place.
 template <class Real>

@@ -29,6 +29,8 @@ struct GroupView {
   const int* first = nullptr;   ///< [groups + 1] into member; null: group g is node g
   const int* member = nullptr;  ///< [nodes]
   const Real* pull = nullptr;   ///< [groups] 1/kg
+  const int* of_node = nullptr;  ///< [nodes] group of each node
+  Real* shared = nullptr;        ///< [3 * groups] acceleration of the mean motion in this step
   ASHLAR_HD int begin(int g) const { return first ? first[g] : g; }
   ASHLAR_HD int end(int g) const { return first ? first[g + 1] : g + 1; }
   ASHLAR_HD int node(int j) const { return member ? member[j] : j; }

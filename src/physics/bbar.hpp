@@ -41,7 +41,7 @@ struct BBar : Base {
     for (int g = 0; g < Base::gauss_points; ++g) {
       const Jacobian<V> j = geometry.jacobian_at(g);
       const Vec3<V> dx = Lines::at(moved[0], g), dy = Lines::at(moved[1], g), dz = Lines::at(moved[2], g);
-      const V inverse = V(S(1)) / j.det;
+      const V inverse = reciprocal(j.det);
       Sym3<V> strain =
           strain_times_det(j, Vec3<V>{dx.x, dy.x, dz.x}, Vec3<V>{dx.y, dy.y, dz.y}, Vec3<V>{dx.z, dy.z, dz.z});
       for (int i = 0; i < 6; ++i) strain[i] = strain[i] * inverse;

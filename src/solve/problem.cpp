@@ -20,8 +20,7 @@ Problem::Problem(const Model& m, const RunOptions& options)
       blocks(split_blocks(m, find_faces(m.mesh))),
       contacts(place_contacts(m, blocks)),
       discretisation(
-          discretise(m.mesh, blocks, material_indices(m),
-                     options.precision == Precision::double_precision ? patch_size_double : patch_size_single)),
+          discretise(m.mesh, blocks, material_indices(m), patch_slots(static_cast<int>(m.mesh.corners.size()), options.precision))),
       initial(initial_state(m, blocks, setup())),
       backend(make_backend(setup(), options.precision, options.device, options.threads)) {
   if (!initial.history.empty()) backend->write(Field::history, initial.history);

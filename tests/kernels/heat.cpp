@@ -29,7 +29,7 @@ class Lane {
     blocks.corners = mesh.corners;
     blocks.mesh_node.resize(mesh.node_count());
     std::iota(blocks.mesh_node.begin(), blocks.mesh_node.end(), 0);
-    d = discretise(mesh, blocks, {0}, patch_size);
+    d = discretise(mesh, blocks, {0}, 8 * patch_size);
     const Topology& t = d.heat;
     x = places_in_patches<double>(t, d.heat_points);
     for (auto* a : {&temperature, &heat, &inverse_capacity, &flow}) a->assign(t.node_count, 0);
@@ -77,7 +77,7 @@ class Lane {
   template <class Work>
   void each_batch(Work work) {
     for (const Batch& b : d.batches) {
-      const BatchView batch{b.first_patch, d.patch_size, b.element_count, b.first_slot, b.first_gauss};
+      const BatchView batch{b.first_patch, b.patch_size, b.element_count, b.first_slot, b.first_gauss};
       if (b.shape == Shape::hex8) work(Hex8<double>{}, batch);
       if (b.shape == Shape::wedge6) work(Wedge6<double>{}, batch);
       if (b.shape == Shape::tet4) work(Tet4<double>{}, batch);

@@ -46,7 +46,7 @@ ASHLAR_HD void gauss_point_force(int gauss, const Vec3<V>& a, const Vec3<V>& b, 
                                  const Vec3<V>& hb, const Vec3<V>& hc, Stress& stress, Vec3<V>& pa, Vec3<V>& pb,
                                  Vec3<V>& pc) {
   const Jacobian<V> j = jacobian(a, b, c);
-  const V inverse = V(Scalar<V>(1)) / j.det;
+  const V inverse = reciprocal(j.det);
   Sym3<V> strain = strain_times_det(j, ha, hb, hc);
   for (int i = 0; i < 6; ++i) strain[i] = strain[i] * inverse;
   const Sym3<V> s = stress(gauss, strain);
