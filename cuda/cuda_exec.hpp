@@ -49,6 +49,7 @@ class CudaExec {
     check(cudaGetDeviceProperties(&properties, device), "ask device");
     name_ = properties.name;
     shared_bytes_ = properties.sharedMemPerBlockOptin;
+    processors_ = properties.multiProcessorCount;
     cudaStream_t stream = nullptr;
     check(cudaStreamCreate(&stream), "make a stream");
     stream_.reset(stream);
@@ -172,8 +173,9 @@ class CudaExec {
     const std::size_t size = patch_bytes<typename Work::Real, Work::width>(lists.view().slots, entries);
     check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(size)),
           "ask for shared memory");
-    kernel<<<d.batches[b].patch_count, patch_threads, size, stream_.get()>>>(work, lists.view(), d.batches[b].first_patch,
-                                                                             entries, step);
+    kernel<<<d.batches[b].patch_count, patch_threads, size, stream_.get()>>>(
+        work, lists.view(), d.batches[b].first_patch, processors_ * patch_groups_per_processor<typename Work::Real>,
+        entries, step);
     check(cudaGetLastError(), "launch");
   }
   template <class Kernel>
@@ -190,6 +192,7 @@ class CudaExec {
   int device_;
   std::string name_;
   std::size_t shared_bytes_ = 0;
+  int processors_ = 1;
   std::unique_ptr<CUstream_st, DropStream> stream_;
   std::unique_ptr<PatchLists> blocks_, heat_;
   CudaArray<double> sums_;

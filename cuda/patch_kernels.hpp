@@ -75,22 +75,31 @@ constexpr std::size_t patch_bytes(int slots, int entries) {
                          (Summed<Real>::paired ? 2 : 1) * staged_numbers<Real>(width, entries));
 }
 
-/// Patch entries of the corners of one element: 2 bytes each, read together.
+/// Patch entries of the corners of one element, two in a word; batches begin at 16-byte borders.
 template <int corners>
-__device__ __forceinline__ void read_entries(const std::uint16_t* corner_entry, int first_slot, int (&entry)[corners]) {
-  static_assert(corners == 8 || corners == 6 || corners == 4);
-  const std::uint16_t* at = corner_entry + first_slot;
-  if constexpr (corners == 8) {
-    const uint4 q = __ldg(reinterpret_cast<const uint4*>(at));
-    const unsigned words[4] = {q.x, q.y, q.z, q.w};
-    ASHLAR_UNROLL
-    for (int k = 0; k < 8; ++k) entry[k] = (words[k / 2] >> (16 * (k & 1))) & 0xffff;
-  } else {
-    ASHLAR_UNROLL
-    for (int k = 0; k < corners; ++k) entry[k] = __ldg(at + k);
-  }
-}
+struct CornerEntries {
+  unsigned words[corners / 2];
 
+  __device__ __forceinline__ void read(const std::uint16_t* corner_entry, int first_slot) {
+    static_assert(corners == 8 || corners == 6 || corners == 4);
+    const std::uint16_t* at = corner_entry + first_slot;
+    if constexpr (corners == 8) {
+      const uint4 q = __ldg(reinterpret_cast<const uint4*>(at));
+      words[0] = q.x, words[1] = q.y, words[2] = q.z, words[3] = q.w;
+    } else if constexpr (corners == 6) {
+      ASHLAR_UNROLL
+      for (int k = 0; k < 3; ++k) words[k] = __ldg(reinterpret_cast<const unsigned*>(at) + k);
+    } else {
+      const uint2 q = __ldg(reinterpret_cast<const uint2*>(at));
+      words[0] = q.x, words[1] = q.y;
+    }
+  }
+  __device__ __forceinline__ int operator[](int k) const { return (words[k / 2] >> (16 * (k & 1))) & 0xffff; }
+};
+
+__device__ __forceinline__ int row_count(const PatchHead& head) {
+  return (head.entries + 31) / 32 * 32 * head.rows_per_lane;
+}
 /// Where the gather list of entry l begins.
 __device__ __forceinline__ const GatherRow* row_of(const PatchHead& head, const GatherRow* rows, int l) {
   return rows + head.first_row + l / 32 * head.rows_per_lane * 32 + l % 32;
@@ -142,6 +151,7 @@ template <class Real>
 __device__ void prefetch_step(const MoveNode<Real>& step, int first, int count) {
   prefetch_span(step.body.v, 3 * first, 3 * count);
   prefetch_span(step.body.load, 3 * first, 3 * count);
+  prefetch_span(step.body.inverse_mass, first, count);
 }
 template <class Real>
 __device__ void prefetch_step(const StepHeat<Real>& step, int first, int count) {
@@ -149,11 +159,27 @@ __device__ void prefetch_step(const StepHeat<Real>& step, int first, int count) 
   prefetch_span(step.heat.inverse_capacity, first, count);
 }
 
+/// Asks for what another patch will read: the next that gets this one's place.
+template <class Work, class NodeStep>
+__device__ void prefetch_patch(const Work& work, const PatchListsView& lists, const PatchHead& head,
+                               const NodeStep& step) {
+  constexpr int width = Work::width;
+  const Summed<typename Work::Real> values = work.values();
+  prefetch_span(work.nodes().entry_node, head.first_entry + head.interior, head.entries - head.interior);
+  prefetch_span(work.places(), 3 * head.first_entry, 3 * head.entries);
+  prefetch_span(values.high, width * head.first_node, width * head.interior);
+  if (values.low) prefetch_span(values.low, width * head.first_node, width * head.interior);
+  prefetch_span(work.nodes().corner_entry, work.batch.slot(head.first_element, Work::corners, 0),
+                head.elements * Work::corners);
+  prefetch_span(lists.rows, head.first_row, row_count(head));
+  prefetch_step(step, head.first_node, head.interior);
+}
+
 /// One patch. `step` (kernels/move_nodes.hpp, step_heat.hpp, StoreSum) takes the sums of nodes inside; nodes that other
-/// patches share leave a partial sum.
+/// patches share leave a partial sum. `ahead`: thread groups that run at once; a patch so far behind is asked for early.
 template <class Work, class NodeStep>
 __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<typename Work::Real>)
-    run_patch(const Work work, const PatchListsView lists, const int first_patch, const int capacity,
+    run_patch(const Work work, const PatchListsView lists, const int first_patch, const int ahead, const int capacity,
               const NodeStep step) {
   using Real = typename Work::Real;
   constexpr int corners = Work::corners, width = Work::width;
@@ -180,18 +206,21 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<type
       if (value.low) copy_async(value.low + width * l + c, values.low + n + c);
     }
   }
+  const auto first_slot = [&](int i) { return work.batch.slot(head.first_element + i, corners, 0); };
+  CornerEntries<corners> next;
+  if (threadIdx.x < head.elements) next.read(work.nodes().corner_entry, first_slot(threadIdx.x));
   if (threadIdx.x == patch_threads - 1) {
     prefetch_step(step, head.first_node, head.interior);
-    prefetch_span(lists.rows, head.first_row, (head.entries + 31) / 32 * 32 * head.rows_per_lane);
+    prefetch_span(lists.rows, head.first_row, row_count(head));
+    if (blockIdx.x + ahead < gridDim.x) prefetch_patch(work, lists, lists.heads[first_patch + blockIdx.x + ahead], step);
   }
   if (threadIdx.x < width) corner[threadIdx.x * stride + lists.slots] = Real(0);
   wait_for_copies();
   __syncthreads();
 
   for (int i = threadIdx.x; i < head.elements; i += patch_threads) {
-    const int element = head.first_element + i;
-    int entry[corners];
-    read_entries<corners>(work.nodes().corner_entry, work.batch.slot(element, corners, 0), entry);
+    const CornerEntries<corners> entry = next;
+    if (i + patch_threads < head.elements) next.read(work.nodes().corner_entry, first_slot(i + patch_threads));
     Real x[3][corners], u[width][corners], f[width][corners];
     ASHLAR_UNROLL
     for (int k = 0; k < corners; ++k) {
@@ -200,7 +229,7 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<type
       ASHLAR_UNROLL
       for (int c = 0; c < width; ++c) u[c][k] = relative(value[width * entry[k] + c], value[width * entry[0] + c]);
     }
-    work(element, x, u, f);
+    work(head.first_element + i, x, u, f);
     ASHLAR_UNROLL
     for (int k = 0; k < corners; ++k)
       ASHLAR_UNROLL

@@ -59,10 +59,12 @@ struct MoveNode {
   /// Velocity of component c of a node by itself; its displacement `u` moves.
   ASHLAR_HD Real operator()(const StepDamping<Real>& d, const Before& before, int c, Real force,
                             SummedValue<Real>& u) const {
-    if (held(before.fixed, c)) return before.along[c].v;
     const Real moved = velocity(d, before.along[c], before.inverse_mass, force, Real(0));
-    u.add(moved);
-    return moved;
+    SummedValue<Real> at = u;
+    at.add(moved);
+    const bool free = !held(before.fixed, c);  // chosen, not branched on: lanes stay together
+    u = free ? at : u;
+    return free ? moved : before.along[c].v;
   }
 };
 

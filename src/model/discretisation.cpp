@@ -127,6 +127,8 @@ Discretisation discretise(const Mesh& mesh, const Blocks& blocks, const std::vec
       material_of_region.empty() ? 0 : 1 + *std::max_element(material_of_region.begin(), material_of_region.end());
   for (int material = 0; material < materials; ++material)
     for (const Shape shape : {Shape::hex8, Shape::wedge6, Shape::tet4}) {
+      for (; d.slot_count % 8 > 0; ++d.slot_count)  // batches begin at 16-byte borders of Topology::corner_entry
+        for (auto* corner : {&block_corner, &heat_corner}) corner->push_back(0);
       Batch b;
       b.shape = shape;
       b.material = material;
