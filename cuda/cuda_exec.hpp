@@ -57,9 +57,10 @@ class CudaExec {
   std::string name() const { return name_; }
   void select() const { check(cudaSetDevice(device_), "select device"); }
   void finish() const { check(cudaStreamSynchronize(stream_.get()), "wait for the device"); }
+  template <class Real>
   void set_patches(const Discretisation& d) {
-    blocks_ = std::make_unique<PatchLists>(d, d.blocks);
-    heat_ = std::make_unique<PatchLists>(d, d.heat);
+    blocks_ = std::make_unique<PatchLists>(d, d.blocks, most_patch_slots<Real>);
+    heat_ = std::make_unique<PatchLists>(d, d.heat, most_patch_slots<Real>);
   }
 
   template <class Kernel>
@@ -102,7 +103,7 @@ class CudaExec {
   /// Whether a patch of the batch has room in shared memory.
   template <template <class> class Element, class Real>
   bool fits(int b) const {
-    return patch_bytes<Real, 3>(blocks_->view().slots, capacity(*blocks_, b)) <= shared_bytes_;
+    return patch_bytes<Real, 3>(capacity(*blocks_, b)) <= shared_bytes_;
   }
 
   /// Forces of one batch; every node that lies inside a patch makes its step at once.
@@ -170,7 +171,7 @@ class CudaExec {
   void patches(const Work& work, const PatchLists& lists, const Discretisation& d, int b, const NodeStep& step) const {
     const auto kernel = run_patch<Work, NodeStep>;
     const int entries = capacity(lists, b);
-    const std::size_t size = patch_bytes<typename Work::Real, Work::width>(lists.view().slots, entries);
+    const std::size_t size = patch_bytes<typename Work::Real, Work::width>(entries);
     check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(size)),
           "ask for shared memory");
     kernel<<<d.batches[b].patch_count, patch_threads, size, stream_.get()>>>(

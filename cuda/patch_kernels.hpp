@@ -59,7 +59,8 @@ struct HeatPatch {
 
 /// Corner values of one component in shared memory, and the zero that unused gather places point to. The padding moves
 /// components to other banks.
-__host__ __device__ constexpr int component_stride(int slots) { return slots + 8; }
+template <class Real>
+inline constexpr int component_stride = most_patch_slots<Real> + 8;
 
 /// Numbers of shared memory for `width` of them an entry, wherever the first lies behind a 16-byte border.
 template <class Real>
@@ -70,8 +71,8 @@ __host__ __device__ constexpr int staged_numbers(int width, int entries) {
 
 /// Bytes of shared memory that a patch needs: corner values; places, later results; values.
 template <class Real, int width>
-constexpr std::size_t patch_bytes(int slots, int entries) {
-  return sizeof(Real) * (std::size_t(width) * component_stride(slots) + staged_numbers<Real>(3, entries) +
+constexpr std::size_t patch_bytes(int entries) {
+  return sizeof(Real) * (std::size_t(width) * component_stride<Real> + staged_numbers<Real>(3, entries) +
                          (Summed<Real>::paired ? 2 : 1) * staged_numbers<Real>(width, entries));
 }
 
@@ -111,7 +112,7 @@ __device__ __forceinline__ uint4 first_row(const PatchHead& head, const GatherRo
 /// Sum over the corners of entry l of `width` components in shared memory; `q` is its first row.
 template <int width, class Real>
 __device__ __forceinline__ void sum_corners(const PatchHead& head, const GatherRow* rows, int l, uint4 q,
-                                            const Real* corner, int stride, Real (&sum)[width]) {
+                                            const Real* corner, Real (&sum)[width]) {
   ASHLAR_UNROLL
   for (int c = 0; c < width; ++c) sum[c] = Real(0);
   for (int r = 0;;) {
@@ -120,7 +121,7 @@ __device__ __forceinline__ void sum_corners(const PatchHead& head, const GatherR
     for (int j = 0; j < 8; ++j) {
       const int place = (words[j / 2] >> (16 * (j & 1))) & 0xffff;
       ASHLAR_UNROLL
-      for (int c = 0; c < width; ++c) sum[c] += corner[c * stride + place];
+      for (int c = 0; c < width; ++c) sum[c] += corner[c * component_stride<Real> + place];
     }
     if (++r == head.rows_per_lane) break;
     q = __ldg(reinterpret_cast<const uint4*>(row_of(head, rows, l) + 32 * r));
@@ -182,8 +183,8 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<type
     run_patch(const Work work, const PatchListsView lists, const int first_patch, const int ahead, const int capacity,
               const NodeStep step) {
   using Real = typename Work::Real;
-  constexpr int corners = Work::corners, width = Work::width;
-  const int stride = component_stride(lists.slots), patch_size = work.batch.patch_size;
+  constexpr int corners = Work::corners, width = Work::width, stride = component_stride<Real>;
+  constexpr int elements = most_patch_slots<Real> / corners;
   extern __shared__ __align__(16) unsigned char shared[];
   const PatchHead head = lists.heads[first_patch + blockIdx.x];
   const Summed<Real> values = work.values();
@@ -214,7 +215,7 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<type
     prefetch_span(lists.rows, head.first_row, row_count(head));
     if (blockIdx.x + ahead < gridDim.x) prefetch_patch(work, lists, lists.heads[first_patch + blockIdx.x + ahead], step);
   }
-  if (threadIdx.x < width) corner[threadIdx.x * stride + lists.slots] = Real(0);
+  if (threadIdx.x < width) corner[threadIdx.x * stride + most_patch_slots<Real>] = Real(0);
   wait_for_copies();
   __syncthreads();
 
@@ -233,7 +234,7 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<type
     ASHLAR_UNROLL
     for (int k = 0; k < corners; ++k)
       ASHLAR_UNROLL
-      for (int c = 0; c < width; ++c) corner[c * stride + k * patch_size + i] = f[c][k];
+      for (int c = 0; c < width; ++c) corner[c * stride + k * elements + i] = f[c][k];
   }
 
   // What the first rounds of sums need is on its way while slower threads are still at their elements.
@@ -254,7 +255,7 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<type
   const auto controls = step.controls();
   const auto finish = [&](int l, const uint4& first, const typename NodeStep::Before& b) {
     Real sum[width];
-    sum_corners<width>(head, lists.rows, l, first, corner, stride, sum);
+    sum_corners<width>(head, lists.rows, l, first, corner, sum);
     ASHLAR_UNROLL
     for (int c = 0; c < width; ++c) {
       const int i = width * l + c;

@@ -24,13 +24,13 @@ struct alignas(16) GatherRow {
 
 struct PatchListsView {
   const PatchHead* heads = nullptr;  ///< [patches]
-  int slots = 0;                     ///< corner slots of a patch; behind them lies a zero
   const GatherRow* rows = nullptr;   ///< per patch: entries in groups of 32 lanes, rows_per_lane rows a group
 };
 
 class PatchLists {
  public:
-  PatchLists(const Discretisation& d, const Topology& t) : slots_(d.patch_slots), most_entries_(d.batches.size()) {
+  /// @param slots corner slots that shared memory has room for; behind them lies a zero
+  PatchLists(const Discretisation& d, const Topology& t, int slots) : most_entries_(d.batches.size()) {
     std::vector<PatchHead> heads(d.patch_count());
     std::vector<GatherRow> rows;
     for (int p = 0; p < d.patch_count(); ++p) {
@@ -52,7 +52,7 @@ class PatchLists {
       h.rows_per_lane = (longest + 7) / 8;
       h.first_row = static_cast<int>(rows.size());
       GatherRow empty;
-      std::fill(std::begin(empty.place), std::end(empty.place), static_cast<std::uint16_t>(d.patch_slots));
+      std::fill(std::begin(empty.place), std::end(empty.place), static_cast<std::uint16_t>(slots));
       rows.resize(rows.size() + std::size_t((h.entries + 31) / 32) * 32 * h.rows_per_lane, empty);
       const int first_slot = b.first_slot + h.first_element * corners;
       const int lane_places = 8 * h.rows_per_lane;
@@ -63,7 +63,7 @@ class PatchLists {
           const int slot = t.entry_slot[j] - first_slot;
           if (!usual.empty()) place = std::max(place, std::min(usual[slot % corners], lane_places - (last - j)));
           GatherRow& row = rows[h.first_row + (l / 32 * h.rows_per_lane + place / 8) * 32 + l % 32];
-          row.place[place % 8] = static_cast<std::uint16_t>(slot % corners * b.patch_size + slot / corners);
+          row.place[place % 8] = static_cast<std::uint16_t>(slot % corners * (slots / corners) + slot / corners);
         }
       }
     }
@@ -71,7 +71,7 @@ class PatchLists {
     rows_.assign(rows);
   }
 
-  PatchListsView view() const { return {heads_.data(), slots_, rows_.data()}; }
+  PatchListsView view() const { return {heads_.data(), rows_.data()}; }
   int most_entries(int batch) const { return most_entries_[batch]; }
 
  private:
@@ -91,7 +91,6 @@ class PatchLists {
     return usual;
   }
 
-  int slots_;
   CudaArray<PatchHead> heads_;
   CudaArray<GatherRow> rows_;
   std::vector<int> most_entries_;  ///< [batches]

@@ -64,6 +64,7 @@ class CpuExec {
   explicit CpuExec(int threads) : threads_(threads > 0 ? threads : omp_get_num_procs()) {}
   std::string name() const { return "cpu, " + std::to_string(threads_) + (threads_ == 1 ? " thread" : " threads"); }
 
+  template <class Real>
   void set_patches(const Discretisation&) {}
   void finish() const {}
 

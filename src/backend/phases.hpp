@@ -154,7 +154,7 @@ class Phases final : public Backend {
     history_.resize(remembered * std::size_t(first_history_.back()));
     groups_.group_count = static_cast<int>(nodes);
     damping_.assign({last_damping_});
-    exec_.set_patches(d);
+    exec_.template set_patches<Real>(d);
     body_ = {.nodes = blocks_.view(),
              .x = x_.data(),
              .u = u_.view(),

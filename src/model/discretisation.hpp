@@ -65,10 +65,12 @@ enum class Precision { double_precision, single_precision };
 
 /// Corner slots a patch holds at most, by precision: what a thread group of a GPU can keep in shared memory. Small models
 /// have small patches, enough of them for every processor.
-inline constexpr int most_patch_slots_double = 3072, most_patch_slots_single = 2048, least_patch_slots = 1024;
+template <class Real>
+inline constexpr int most_patch_slots = sizeof(Real) == sizeof(double) ? 3072 : 2048;
+inline constexpr int least_patch_slots = 1024;
 inline constexpr int patches_wanted = 256;
 inline int patch_slots(int slots, Precision precision) {
-  const int most = precision == Precision::double_precision ? most_patch_slots_double : most_patch_slots_single;
+  const int most = precision == Precision::double_precision ? most_patch_slots<double> : most_patch_slots<float>;
   return std::clamp(slots / patches_wanted / 128 * 128, least_patch_slots, most);
 }
 
