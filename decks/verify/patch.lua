@@ -1,6 +1,5 @@
 -- Case P2: patch test. A field that is linear on the boundary is linear inside, whatever the shape of the elements.
--- Source: exact; the idea is that of MacNeal and Harder 1985, whose own seven hexahedra (P1) are in tests/solve/patch.cpp:
---         one of them is folded at a corner, where no element of a deck may be.
+-- Source: exact; the idea is that of MacNeal and Harder 1985, whose own seven cells are P1.
 -- Accept: 1e-6 of stress and displacement.
 -- Runs: elements=hex8 | elements=wedge6 | elements=tet4 | elements=hex8 formulation=bbar | elements=wedge6 formulation=bbar
 local args = deck.args {

@@ -51,6 +51,7 @@ struct Box {
   std::array<double, 3> from{}, to{};
   std::array<int, 3> cells{};                 ///< all >= 1 after reading (script derives them from `size`)
   Shape shape = Shape::hex8;
+  std::array<std::optional<Value>, 3> bent;   ///< x, y, z to which the straight box's points move, m; empty: stays
 };
 
 /// `solid "abutment" { file = "abutment.stl", size = 5*m }`: tetrahedra inside a closed surface, which is read with the deck.

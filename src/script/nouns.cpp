@@ -93,6 +93,7 @@ int add_box(const Call& c) {
     const double count = f.has("cells") ? cells[i] : std::max(1.0, std::round((to[i] - from[i]) / f.number("size")));
     if (count > 1e6) c.complain("size", "'size' gives " + decimal_text(count) + " elements along one side");
     box.cells[i] = static_cast<int>(std::min(count, 1e6));
+    box.bent[i] = f.maybe_value(std::string(1, "xyz"[i]));
   }
   const double elements = 1.0 * box.cells[0] * box.cells[1] * box.cells[2];
   if (elements > most_elements)

@@ -20,6 +20,10 @@ KeyRule key(const char* name, Type type, const char* doc) {
 KeyRule number(const char* name, Dimension dimension, Range range, const char* doc) {
   return key(name, Type::number, doc).in(dimension, range);
 }
+/// A coordinate of a bent box.
+KeyRule bent(const char* name) {
+  return key(name, Type::field, "where points of the straight box come to lie along this axis").in(dimension::length);
+}
 /// A number, a function of position, or values in time.
 KeyRule field(const char* name, Dimension dimension, const char* doc) {
   return key(name, Type::field, doc).in(dimension).changing();
@@ -186,13 +190,14 @@ const std::vector<NounRule>& nouns() {
        .example =
            R"(extrude "dam" { section = { {0,0}, {48*m,0}, {8*m,50*m}, {8*m,60*m}, {0,60*m} }, length = 12*m, size = 4*m })"},
       {.name = "box",
-       .doc = "A rectangular body along the axes. Its name becomes a region; touching boxes share nodes where their "
-              "divisions agree.",
+       .doc = "A rectangular body along the axes, or one with six curved sides: functions x, y, z of the places in the "
+              "straight box bend it, such as into an arch. Its name becomes a region; boxes that touch share nodes "
+              "where their divisions agree.",
        .keys = {key("from", Type::vector, "corner with the smallest x, y, z").in(dimension::length).need(),
                 key("to", Type::vector, "corner with the largest x, y, z").in(dimension::length).need(),
                 key("cells", Type::integers, "elements along x, y, z; give this or `size`").between({1, 1e6}),
                 number("size", dimension::length, range::positive, "element edge to aim at; give this or `cells`"),
-                elements_key()},
+                bent("x"), bent("y"), bent("z"), elements_key()},
        .example = R"(box "column" { from = {0,0,0}, to = {1*m,1*m,10*m}, cells = {1,1,10} })"},
       {.name = "solid",
        .doc =

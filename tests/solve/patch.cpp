@@ -43,8 +43,9 @@ std::vector<Cell> split(const Cell& h, Shape shape) {
   return cells;
 }
 
-/// MacNeal and Harder 1985: a cube in the unit cube and the six pieces around it. One of the seven has a negative
-/// Jacobian at a corner (not at a Gauss point); a deck's mesh may not, so this mesh is built here.
+/// MacNeal and Harder 1985: a cube in the unit cube and the six pieces around it. As published, one of the hexahedra
+/// has a negative Jacobian at its corner (0.320, 0.186, 0.643), not at a Gauss point; a deck's mesh may not, so this
+/// mesh is built here. decks/verify/patch_seven.lua has its wedges, cut the other way, and its tetrahedra.
 Mesh macneal_harder(Shape shape) {
   Mesh mesh;
   mesh.region_names = {"body"};

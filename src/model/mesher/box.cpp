@@ -12,6 +12,22 @@ void check_cell_count(const Where& where, const std::string& what, int nx, int n
                                std::to_string(nz) + " cells, more than 40 million; make the elements larger");
 }
 
+namespace {
+
+/// Whether every cell is left-handed at its first corner.
+bool inside_out(const Lattice& lattice) {
+  for (int k = 0; k < lattice.nz; ++k)
+    for (int j = 0; j < lattice.ny; ++j)
+      for (int i = 0; i < lattice.nx; ++i) {
+        const auto corner = [&](int c) { return lattice.points[lattice.cell(i, j, k)[c]]; };
+        const Vec3<double> a = corner(1) - corner(0), b = corner(3) - corner(0), c = corner(4) - corner(0);
+        if (!(dot(a, cross(b, c)) < 0)) return false;
+      }
+  return true;
+}
+
+}  // namespace
+
 Lattice mesh_box(const Box& box) {
   constexpr const char* axis_names[] = {"x", "y", "z"};
   Complaints complaints;
@@ -37,6 +53,14 @@ Lattice mesh_box(const Box& box) {
     for (int j = 0; j <= lattice.ny; ++j)
       for (int i = 0; i <= lattice.nx; ++i)
         lattice.points.push_back({coordinate(0, i), coordinate(1, j), coordinate(2, k)});
+  for (auto& point : lattice.points) {
+    const Vec3<double> straight = point;
+    for (int a = 0; a < 3; ++a)
+      if (box.bent[a]) point[a] = (*box.bent[a])(straight);
+  }
+  if (inside_out(lattice))
+    throw DeckError(box.where, "box '" + box.name + "': its functions x, y, z turn it inside out, as a mirror does; " +
+                                   "let one of them run the other way");
   return lattice;
 }
 

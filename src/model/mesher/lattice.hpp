@@ -27,7 +27,7 @@ struct Lattice {
 /// Throws DeckError where a mesh would have more cells than this program can number, before memory is asked for them.
 void check_cell_count(const Where& where, const std::string& what, int nx, int ny, int nz);
 
-/// Uniform cells. Throws DeckError: no extent along an axis, no cells, numbers that are not finite.
+/// Uniform cells, then bent. Throws DeckError: no extent along an axis, no cells, numbers that are not finite.
 Lattice mesh_box(const Box& box);
 
 /// Adds the cells of a lattice to the mesh as hex8, wedge6 or tet4; `node` maps points of the lattice to mesh nodes.
