@@ -165,8 +165,8 @@ in the tolerance (up to some per cent). *Analytic*: the elements represent the e
 Each row is one quantity of one run, the worst one where a run compares several of its kind; the reference is the middle of
 the accepted range, the tolerance half of its width. Rows without a reference are statements; the deck says what it expects.
 
-Cases below the reach of a deck are unit tests: P1 (the seven hexahedra of MacNeal and Harder) and P3 (rigid motion without
-force) in `tests/solve/patch.cpp`.
+Cases below the reach of a deck are unit tests in `tests/solve/patch.cpp`: P3 (rigid motion without force), and P1 with the seven
+hexahedra of MacNeal and Harder, one of which is turned over at a corner, so that a deck refuses it; `patch_seven` cuts them.
 P17 (answers do not depend on damping, time step or threads) is `tests/decks/run_same.py`.
 """
 
