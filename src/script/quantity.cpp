@@ -11,6 +11,12 @@ namespace {
 
 constexpr const char* type_name = "ashlar quantity";
 
+/// Throws where an exponent is beyond any quantity's, before sums of exponents leave the integers.
+void check_exponent(double exponent) {
+  constexpr double largest = 100;
+  if (!(std::abs(exponent) <= largest)) throw ScriptError("a power of a unit beyond " + decimal_text(largest));
+}
+
 Dimension power(const Dimension& d, int n) { return {d.m * n, d.kg * n, d.s * n, d.K * n}; }
 Dimension product(const Dimension& a, const Dimension& b) { return {a.m + b.m, a.kg + b.kg, a.s + b.s, a.K + b.K}; }
 
@@ -74,9 +80,11 @@ int arithmetic(lua_State* L) {
     if (!a || !b || b->dimension) refuse(L, "raise to a power:", a, b, "");
     const Dimension d = a->dimension.value_or(Dimension{});
     const double exponents[] = {d.m * b->value, d.kg * b->value, d.s * b->value, d.K * b->value};
-    for (double e : exponents)
+    for (double e : exponents) {
+      check_exponent(e);
       if (e != std::round(e))
         throw ScriptError("a power of " + quantity_text(*a) + " that leaves a fraction of a unit");
+    }
     result.value = std::pow(a->value, b->value);
     result.dimension = Dimension{int(exponents[0]), int(exponents[1]), int(exponents[2]), int(exponents[3])};
   } else {
@@ -85,6 +93,8 @@ int arithmetic(lua_State* L) {
     result.value = divide ? a->value / b->value : a->value * b->value;
     result.dimension =
         product(a->dimension.value_or(Dimension{}), power(b->dimension.value_or(Dimension{}), divide ? -1 : 1));
+    for (const int e : {result.dimension->m, result.dimension->kg, result.dimension->s, result.dimension->K})
+      check_exponent(e);
     result.celsius = (a->celsius && !b->dimension) || (b->celsius && !a->dimension && !divide);
   }
   push_quantity(L, result);
