@@ -1,6 +1,7 @@
 #pragma once
-/// The one place, beside cuda/, that knows CUDA: marks functions that run on both machines. _CALL: long ones that few
-/// points need, kept out of the loops that call them. _HOST_CALL: a call on the CPU, in line on a device.
+/// All, beside cuda/ and the reciprocal in number.hpp, that knows CUDA: marks functions that run on both machines.
+/// _CALL: long ones that few points need, kept out of the loops that call them. _HOST_CALL: a call on the CPU, in line on
+/// a device.
 
 #if defined(__CUDACC__)
 #define ASHLAR_HD __host__ __device__ __forceinline__
