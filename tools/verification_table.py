@@ -145,7 +145,7 @@ def rows(outcome, every):
 
 
 KINDS = {"A": r"closed form|by hand|^exact|elasticity|theory", "X": "CalculiX", "N": "numpy|independent program",
-         "L": r"\b1[89]\d\d\b|NAFEMS|EM 1110"}
+         "L": r"\b(?:1[89]|20)\d\d\b|NAFEMS|EM 1110"}
 CHAPTERS = [("Elements", range(1, 13)), ("Explicit integration", range(13, 19)), ("Heat", range(19, 28)),
             ("Plasticity", range(28, 33)), ("Contacts and cracks", range(33, 41)), ("Dams", ["D0", "Koyna"]),
             ("Balances and other checks by hand", [])]

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 
 #include "base/nearest_name.hpp"
 
@@ -65,36 +64,41 @@ int whole_number(const std::string& option, const std::string& text) {
   return count;
 }
 
-double positive_number(const std::string& option, const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value > 0) || !(value < 1e9))
-    throw UsageError(option + " takes positive numbers, not '" + text + "'");
-  return value;
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> pieces;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    pieces.push_back(text.substr(from, comma - from));
+    from = comma + 1;
+  }
+  return pieces;
 }
 
-/// As many numbers as `count`, with commas between them.
+/// NaN unless the whole text is a finite number.
+double number_in(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() && std::isfinite(value) ? value : std::nan("");
+}
+
 std::vector<double> numbers(const std::string& option, const std::string& text, std::size_t count) {
   std::vector<double> values;
-  const char *at = text.data(), *const end = at + text.size();
-  for (; values.size() < count; ++at) {
-    const auto [after, error] = std::from_chars(at, end, values.emplace_back());
-    at = after;
-    if (error != std::errc() || (at != end && *at != ',') || at == end) break;
-  }
-  if (values.size() != count || at != end || !std::isfinite(std::accumulate(values.begin(), values.end(), 0.0)))
+  for (const std::string& piece : split_at_commas(text)) values.push_back(number_in(piece));
+  if (values.size() != count || std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); }))
     throw UsageError(option + " takes " + (count == 1 ? "a number" : std::to_string(count) + " numbers") + ", not '" +
                      text + "'");
   return values;
 }
 
+double positive_number(const std::string& option, const std::string& text) {
+  const double value = number_in(text);
+  if (!(value > 0 && value < 1e9)) throw UsageError(option + " takes positive numbers, not '" + text + "'");
+  return value;
+}
+
 std::vector<double> positive_numbers(const std::string& option, const std::string& text) {
   std::vector<double> values;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    values.push_back(positive_number(option, text.substr(from, comma - from)));
-    from = comma + 1;
-  }
+  for (const std::string& piece : split_at_commas(text)) values.push_back(positive_number(option, piece));
   return values;
 }
 
@@ -241,10 +245,7 @@ std::string usage_page() {
   std::string page = "usage: ashlar COMMAND [operands] [options]\n\n";
   for (const Verb& verb : verbs())
     page += "  " + column(verb.name + (verb.operands.empty() ? "" : " " + verb.operands)) + verb.doc + "\n";
-  page += "\noptions of run; check takes --set, export --to, --set and --force, "
-          "bench --device, --threads, --elements and --out,\n"
-          "compare --tolerance, --line, --stage and --of,\n"
-          "material --set, --confining, --size, --strain, --to and --force\n";
+  page += "\noptions; 'ashlar help COMMAND' shows those of a command\n";
   for (const Option& option : options()) page += option_line(option);
   page +=
       "\nexit codes: 0 done, 1 error in the program, 2 wrong deck or command, 3 not converged, 4 an expect failed,\n"

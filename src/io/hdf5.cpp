@@ -32,8 +32,6 @@ Handle open_file(const std::string& path, Mode mode) {
   H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST);
   if (mode == Mode::read)
     return Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, path, "read the file");
-  if (mode == Mode::change)
-    return Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose, path, "go on with the file");
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path, "prepare the file");
   H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   H5Pset_obj_track_times(creation, false);
@@ -106,8 +104,6 @@ void File::group(const std::string& name) {
 
 bool File::has(const std::string& name) { return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0; }
 
-void File::remove(const std::string& name) { check(H5Ldelete(file_, name.c_str(), H5P_DEFAULT), "remove " + name); }
-
 std::vector<std::string> File::names(const std::string& group) {
   std::vector<std::string> names;
   const auto keep = [](hid_t, const char* name, const H5L_info_t*, void* all) {
@@ -116,13 +112,6 @@ std::vector<std::string> File::names(const std::string& group) {
   };
   check(H5Literate(open(group), H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, keep, &names), "list " + group);
   return names;
-}
-
-void File::cut(const std::string& name, hsize_t rows) {
-  const Handle dataset = open(name);
-  auto shape = shape_of(dataset);
-  shape[0] = rows;
-  check(H5Dset_extent(dataset, shape.data()), "cut " + name);
 }
 
 std::size_t File::size_of(const std::string& name) {

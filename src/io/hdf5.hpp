@@ -48,7 +48,7 @@ inline hid_t type_of<std::uint8_t>() {
   return H5T_NATIVE_UINT8;
 }
 
-enum class Mode { create, change, read };
+enum class Mode { create, read };
 
 /// A file: no time stamps, no file locking, links in order of creation, so that the same data give the same bytes and a
 /// reader never stops the run.
@@ -59,8 +59,6 @@ class File {
   const std::string& path() const { return path_; }
   void group(const std::string& name);
   bool has(const std::string& name);
-  /// Takes a group or dataset out; its room in the file is not given back.
-  void remove(const std::string& name);
   /// Names of what a group holds, in order of creation.
   std::vector<std::string> names(const std::string& group);
 
@@ -74,8 +72,6 @@ class File {
                    bool compressed);
   /// Adds `rows` rows and returns how many there were before.
   hsize_t append(const std::string& name, hid_t type, const void* values, hsize_t rows);
-  /// Cuts a dataset of rows down to its first `rows`.
-  void cut(const std::string& name, hsize_t rows);
   std::vector<hsize_t> shape(const std::string& name) { return shape_of(open(name)); }
   /// All values of a dataset, converted to T.
   template <class T>

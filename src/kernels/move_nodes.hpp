@@ -34,13 +34,6 @@ struct MoveNode {
     return fma(-d.local * (f < Real(0) ? -f : f), sign, f);
   }
 
-  /// Velocity after the step.
-  /// @param shared acceleration of the group that the node belongs to
-  ASHLAR_HD static Real velocity(const StepDamping<Real>& d, const Component& before, Real inverse_mass, Real force,
-                                 Real shared) {
-    return fma(d.keep, before.v, d.gain * fma(inverse_mass, damped_force(d, before, force), shared));
-  }
-
   /// A whole node, for machines that make its step as soon as its force is there: they ask for this early, keep what
   /// comes back in result().
   static constexpr bool moves = true;
@@ -56,10 +49,12 @@ struct MoveNode {
   }
   ASHLAR_HD StepDamping<Real> controls() const { return *damping; }
   ASHLAR_HD Real* result() const { return body.v; }
-  /// Velocity of component c of a node by itself; its displacement `u` moves.
-  ASHLAR_HD Real operator()(const StepDamping<Real>& d, const Before& before, int c, Real force,
-                            SummedValue<Real>& u) const {
-    const Real moved = velocity(d, before.along[c], before.inverse_mass, force, Real(0));
+  /// Velocity of component c of a node after the step; its displacement `u` moves.
+  /// @param shared acceleration of the group that the node belongs to
+  ASHLAR_HD Real operator()(const StepDamping<Real>& d, const Before& before, int c, Real force, SummedValue<Real>& u,
+                            Real shared = Real(0)) const {
+    const Real moved = fma(d.keep, before.along[c].v,
+                           d.gain * fma(before.inverse_mass, damped_force(d, before.along[c], force), shared));
     SummedValue<Real> at = u;
     at.add(moved);
     const bool free = !held(before.fixed, c);  // chosen, not branched on: lanes stay together
@@ -77,9 +72,13 @@ struct PullGroup {
 
   ASHLAR_HD void operator()(int i) const {
     const int group = i / 3, c = i % 3;
+    if (groups.single(group)) {
+      groups.shared[i] = Real(0);
+      return;
+    }
     const StepDamping<Real> d = *step.damping;
     Real sum = Real(0);
-    bool held = groups.single(group);
+    bool held = false;
     for (int j = groups.begin(group); j < groups.end(group); ++j) {
       const int node = groups.node(j), k = 3 * node + c;
       held = held || step.held(step.body.fixed[node], c);
@@ -98,19 +97,14 @@ struct MoveNodes {
   ASHLAR_HD void operator()(int node) const {
     const BodyView<Real>& body = step.body;
     const StepDamping<Real> d = *step.damping;
-    const std::uint8_t fixed = body.fixed[node];
-    const Real inverse_mass = body.inverse_mass[node];
+    const auto before = step.read(node);
     const Real* shared = groups.first ? groups.shared + 3 * groups.of_node[node] : nullptr;
     ASHLAR_UNROLL
     for (int c = 0; c < 3; ++c) {
-      if (step.held(fixed, c)) continue;
       const int i = 3 * node + c;
-      const Real moved =
-          step.velocity(d, step.read_component(i), inverse_mass, body.force[i], shared ? shared[c] : Real(0));
       SummedValue<Real> u = body.u[i];
-      u.add(moved);
+      body.v[i] = step(d, before, c, body.force[i], u, shared ? shared[c] : Real(0));
       body.u.write(i, u);
-      body.v[i] = moved;
     }
   }
 };

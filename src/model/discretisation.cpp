@@ -115,7 +115,6 @@ Discretisation discretise(const Mesh& mesh, const Blocks& blocks, const std::vec
                           int patch_slots) {
   Discretisation d;
   d.element_count = mesh.element_count();
-  d.patch_slots = patch_slots;
   std::vector<Vec3<double>> centroids(d.element_count);
   for (int e = 0; e < d.element_count; ++e) centroids[e] = mesh.centroid(e);
   const std::vector<int> along_curve = hilbert_order(centroids);

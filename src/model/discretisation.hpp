@@ -7,8 +7,8 @@
 #include "model/mesh.hpp"
 
 /// The model in the order that machines work in: batches of one shape and material, elements along a Hilbert curve, cut
-/// into patches, in which they keep the order of the mesh. The summation order of every nodal sum (element by element in a patch, then patch by patch) is fixed
-/// here, for every machine (numerics 1 and 8).
+/// into patches, in which they keep the order of the mesh. The summation order of every nodal sum (element by element in
+/// a patch, then patch by patch) is fixed here, for every machine (numerics 1 and 8).
 namespace ashlar {
 
 /// Elements of one shape and one material; consecutive in the new element order.
@@ -47,7 +47,6 @@ struct Topology {
 struct Discretisation {
   std::vector<Batch> batches;
   int element_count = 0, slot_count = 0, gauss_count = 0;
-  int patch_slots = 0;                     ///< corner slots that a patch holds at most
   std::vector<int> patch_first_element;    ///< [patches + 1], new element order
   std::vector<int> patch_batch;            ///< [patches]
   std::vector<int> source_element;         ///< [elements] mesh element at each new position

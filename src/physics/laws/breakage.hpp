@@ -105,15 +105,7 @@ struct CrackPoint {
     h.length = across;
     h.slip = slip_to;
 
-    const Real lost = open ? damage * normal : Real(0), side = lost * (part.lambda / modulus);
-    const Vec3<Real> taken = damage * (along - rubbing);
-    const Real both = lost - side;
-    s.xx -= fma(both * n.x, n.x, side) + Real(2) * taken.x * n.x;
-    s.yy -= fma(both * n.y, n.y, side) + Real(2) * taken.y * n.y;
-    s.zz -= fma(both * n.z, n.z, side) + Real(2) * taken.z * n.z;
-    s.xy -= fma(both * n.x, n.y, fma(taken.x, n.y, taken.y * n.x));
-    s.yz -= fma(both * n.y, n.z, fma(taken.y, n.z, taken.z * n.y));
-    s.zx -= fma(both * n.z, n.x, fma(taken.z, n.x, taken.x * n.z));
+    take_from_plane(s, n, part, open ? damage * normal / modulus : Real(0), damage * (along - rubbing));
   }
 };
 

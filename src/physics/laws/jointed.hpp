@@ -68,13 +68,7 @@ struct JointPoint {
     const Real opening = (trial.normal - pulls) / modulus;
     const Real kept = trial.shear > Real(0) ? shear / trial.shear : Real(0);
     const Vec3<Real> lost = (Real(1) - kept) * trial.along, slip = (Real(1) / part.shear) * lost, n = normal;
-    const Real side = opening * part.lambda, both = opening * (part.shear + part.shear);
-    s.xx -= fma(both * n.x, n.x, side) + Real(2) * lost.x * n.x;
-    s.yy -= fma(both * n.y, n.y, side) + Real(2) * lost.y * n.y;
-    s.zz -= fma(both * n.z, n.z, side) + Real(2) * lost.z * n.z;
-    s.xy -= fma(both * n.x, n.y, fma(lost.x, n.y, lost.y * n.x));
-    s.yz -= fma(both * n.y, n.z, fma(lost.y, n.z, lost.z * n.y));
-    s.zx -= fma(both * n.z, n.x, fma(lost.z, n.x, lost.x * n.z));
+    take_from_plane(s, n, part, opening, lost);
     h.strain.xx += fma(opening * n.x, n.x, slip.x * n.x);
     h.strain.yy += fma(opening * n.y, n.y, slip.y * n.y);
     h.strain.zz += fma(opening * n.z, n.z, slip.z * n.z);

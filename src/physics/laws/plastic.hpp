@@ -57,6 +57,20 @@ ASHLAR_HD Vec3<T> traction(const Sym3<T>& s, const Vec3<T>& n) {
           fma(s.zz, n.z, fma(s.yz, n.y, s.zx * n.x))};
 }
 
+/// Takes from a stress what the strain `opening` across a plane and the traction `along` it (both less than before) bear;
+/// n is the plane's unit normal, `part` elastic.
+template <class Real>
+ASHLAR_HD void take_from_plane(Sym3<Real>& s, const Vec3<Real>& n, const Elastic::Point<Real>& part, Real opening,
+                               const Vec3<Real>& along) {
+  const Real side = opening * part.lambda, both = opening * (part.shear + part.shear);
+  s.xx -= fma(both * n.x, n.x, side) + Real(2) * along.x * n.x;
+  s.yy -= fma(both * n.y, n.y, side) + Real(2) * along.y * n.y;
+  s.zz -= fma(both * n.z, n.z, side) + Real(2) * along.z * n.z;
+  s.xy -= fma(both * n.x, n.y, fma(along.x, n.y, along.y * n.x));
+  s.yz -= fma(both * n.y, n.z, fma(along.y, n.z, along.z * n.y));
+  s.zx -= fma(both * n.z, n.x, fma(along.z, n.x, along.x * n.z));
+}
+
 /// The two invariants that cones are made of.
 template <class V>
 struct Invariants {
