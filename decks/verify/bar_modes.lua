@@ -1,14 +1,17 @@
 -- Case P16: a bar of 10 m, held at one end, swings in its mode n.
 -- Source: closed form, f = (2 n - 1) c / 4 L with c = sqrt(E / rho): 88.388, 265.17, 441.94 Hz.
 -- Accept: 0.5 %.
--- Runs: mode=1 | mode=2 | mode=3
-local args = deck.args { mode = { default = 1, doc = "1, 2 or 3" } }
+-- Runs: mode=1 | mode=2 | mode=3 | elements=wedge6 mode=1 | elements=wedge6 mode=3 | elements=tet4 mode=1 | elements=tet4 mode=3
+local args = deck.args {
+  elements = { default = "hex8", doc = "hex8, wedge6 or tet4" },
+  mode     = { default = 1, doc = "1, 2 or 3" },
+}
 
 local length, young, density = 10, 30e9, 2400
 local exact = (2 * args.mode - 1) * math.sqrt(young / density) / (4 * length)
 
 model "bar_modes" {}
-box "bar" { from = { 0, 0, 0 }, to = { length, 0.1, 0.1 }, cells = { 50, 1, 1 } }
+box "bar" { from = { 0, 0, 0 }, to = { length, 0.1, 0.1 }, cells = { 50, 1, 1 }, elements = args.elements }
 material "concrete" { region = "bar", young = young, poisson = 0, density = density }
 surface "held"   { of = "bar", side = "left" }
 surface "front"  { of = "bar", side = "front" }

@@ -4,9 +4,33 @@ local d0 = {}
 
 d0.water_level = 55*m
 
+--- A table with the keys of both.
+local function with(some, others)
+  local all = {}
+  for key, value in pairs(some) do all[key] = value end
+  for key, value in pairs(others) do all[key] = value end
+  return all
+end
+
 --- Mesh and materials.
 function d0.body(mesh)
   import_mesh { file = "../../tests/data/dam_D0_" .. mesh .. ".msh" }
+  d0.materials()
+end
+
+--- The same body meshed here, about as coarse as r1_ny2, from other elements.
+function d0.body_of(elements)
+  local y = { length = 12*m, layers = 2, elements = elements }
+  extrude "concrete" (with(y, { section = { {0,0}, {48,0}, {8,50}, {8,60}, {0,60} }, size = 8*m }))
+  extrude "rock" (with(y, { section = { {-60,-60}, {108,-60}, {108,0}, {-60,0} }, size = 10*m }))
+  surface "bottom" { of = "rock", side = "bottom" }
+  surface "xside"  { of = "rock", side = { "left", "right" } }
+  surface "yside"  { side = { "front", "back" } }
+  surface "up_wet" { of = "concrete", side = "left" }
+  d0.materials()
+end
+
+function d0.materials()
   material "concrete" {
     region = "concrete", young = 20*GPa, poisson = 0.2, density = 2400*kg/m^3, expansion = 1e-5/K,
     conductivity = 2.7*W/(m*K), heat_capacity = 960*J/(kg*K),
@@ -31,17 +55,10 @@ end
 
 --- Every element its own block. `strength` has the keys of a law for the dam and its base; the rock never cracks.
 function d0.explode(stiffness, strength)
-  local function with(keys)
-    for key, value in pairs(stiffness) do keys[key] = value end
-    return keys
-  end
-  local function dam(keys)
-    for key, value in pairs(strength) do keys[key] = value end
-    return with(keys)
-  end
-  crackable "rock" (with { region = "rock", law = "elastic" })
-  crackable "body" (dam { region = "concrete" })
-  joint "base"     (dam { between = { "concrete", "rock" } })
+  local dam = with(stiffness, strength)
+  crackable "rock" (with(stiffness, { region = "rock", law = "elastic" }))
+  crackable "body" (with(dam, { region = "concrete" }))
+  joint "base"     (with(dam, { between = { "concrete", "rock" } }))
 end
 
 --- Air on every dry face, water on the wet face and the reservoir's ground, the rock's bottom at ground temperature.

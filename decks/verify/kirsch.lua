@@ -1,16 +1,16 @@
 -- Case P8: circular hole in a plate under tension along x, plane strain; one quarter with the exact tractions on its outer edges.
 -- Source: G. Kirsch 1898 (Timoshenko and Goodier, Theory of Elasticity): s_xx(0,a) = 3 S, s_zz(a,0) = -S, u_x(a,0) = 3 S a (1 - nu^2) / E.
 -- Accept: 1.5 % of the stresses, 0.2 % of the displacement.
--- Runs: elements=hex8 | elements=wedge6
+-- Runs: elements=hex8 | elements=wedge6 | elements=tet4
 -- The quarter has five sides, one of them an arc: meshed free, fine at the short chords of the arc.
 local args = deck.args {
-  elements = { default = "hex8", doc = "hex8 or wedge6" },
+  elements = { default = "hex8", doc = "hex8, wedge6 or tet4" },
   pieces   = { default = 256, doc = "elements along the quarter circle" },
 }
 local a, side, young, poisson, tension = 1, 5, 20e9, 0.2, 1e6
 
 model "kirsch" {}
--- A chord has two hex8, halves of the sides of triangles, or one wedge6.
+-- A chord has two hex8, halves of the sides of triangles, or one wedge6 or tet4.
 local chords = args.elements == "hex8" and args.pieces // 2 or args.pieces
 local section = { { side, 0 }, { side, side }, { 0, side } }
 for i = 0, chords do
