@@ -14,6 +14,7 @@
 #include "backend/motion_lane.hpp"
 #include "backend/node_set.hpp"
 #include "backend/parted_field.hpp"
+#include "backend/springs.hpp"
 #include "backend/summed_array.hpp"
 #include "kernels/block_force.hpp"
 #include "kernels/element_types.hpp"
@@ -35,93 +36,6 @@ struct CopyNumber {
   const double* from;
   double* to;
   ASHLAR_HD void operator()(int i) const { to[i] = from[i]; }
-};
-
-/// Springs in a machine's memory, block nodes renumbered.
-template <class Exec, class Real>
-class Springs {
- public:
-  Springs(const Setup& setup) {
-    const ContactPoints& c = setup.contacts;
-    const std::vector<int>& renumber = setup.discretisation.blocks.new_node;
-    const int n = c.count();
-    std::vector<int> a(n), b(n);
-    std::vector<Real> normal(3 * n), initial_gap(c.initial_traction.empty() ? 0 : 3 * n), area(n), normal_stiffness(n), shear_stiffness(n);
-    std::vector<std::vector<int>> of_node(setup.discretisation.blocks.node_count);
-    for (int i = 0; i < n; ++i) {
-      a[i] = renumber[c.node_a[i]];
-      b[i] = renumber[c.node_b[i]];
-      of_node[a[i]].push_back(i);
-      of_node[b[i]].push_back(-1 - i);
-      for (int k = 0; k < 3; ++k) normal[3 * i + k] = Real(c.normal[i][k]);
-      for (int k = 0; k < 3 && !initial_gap.empty(); ++k) initial_gap[3 * i + k] = Real(c.initial_gap(i)[k]);
-      area[i] = Real(c.area[i]);
-      normal_stiffness[i] = Real(c.normal_stiffness[i]);
-      shear_stiffness[i] = Real(c.shear_stiffness[i]);
-    }
-    std::vector<int> nodes, first{0}, contact;
-    for (int node = 0; node < static_cast<int>(of_node.size()); ++node) {
-      if (of_node[node].empty()) continue;
-      nodes.push_back(node);
-      contact.insert(contact.end(), of_node[node].begin(), of_node[node].end());
-      first.push_back(static_cast<int>(contact.size()));
-    }
-    std::vector<SpringLaw<Real>> laws;
-    for (const auto& law : setup.interface_laws) laws.push_back(law.template as<Real>());
-    node_a_.assign(a);
-    node_b_.assign(b);
-    normal_.assign(normal);
-    initial_gap_.assign(initial_gap);
-    area_.assign(area);
-    normal_stiffness_.assign(normal_stiffness);
-    shear_stiffness_.assign(shear_stiffness);
-    interface_.assign(c.interface);
-    laws_.assign(laws);
-    full_laws_ = setup.interface_laws;
-    node_.assign(nodes);
-    node_first_.assign(first);
-    node_contact_.assign(contact);
-    state.resize(n);
-    slip.resize(3 * n);
-    force_.resize(3 * n);
-    utilisation.resize(n);
-    view_ = {.contact_count = n,
-             .node_count = static_cast<int>(nodes.size()),
-             .node_a = node_a_.data(),
-             .node_b = node_b_.data(),
-             .normal = normal_.data(),
-             .area = area_.data(),
-             .normal_stiffness = normal_stiffness_.data(),
-             .shear_stiffness = shear_stiffness_.data(),
-             .initial_gap = initial_gap.empty() ? nullptr : initial_gap_.data(),
-             .interface = interface_.data(),
-             .laws = laws_.data(),
-             .state = state.data(),
-             .slip = slip.data(),
-             .force = force_.data(),
-             .node = node_.data(),
-             .node_first = node_first_.data(),
-             .node_contact = node_contact_.data()};
-  }
-  const SpringView<Real>& view() const { return view_; }
-  void weaken(double factor) {
-    std::vector<SpringLaw<Real>> laws;
-    for (const auto& law : full_laws_) laws.push_back(law.weakened(factor).template as<Real>());
-    laws_.upload(laws);
-  }
-
- private:
-  template <class T>
-  using Array = typename Exec::template Array<T>;
-  Array<int> node_a_, node_b_, interface_, node_, node_first_, node_contact_;
-  Array<Real> normal_, initial_gap_, area_, normal_stiffness_, shear_stiffness_, force_;
-  Array<SpringLaw<Real>> laws_;
-  std::vector<SpringLaw<double>> full_laws_;
-  SpringView<Real> view_;
-
- public:
-  Array<ContactState> state;
-  Array<Real> slip, utilisation;
 };
 
 template <class Exec, class Real>
@@ -220,14 +134,18 @@ class Phases final : public Backend {
           if constexpr (std::decay_t<decltype(law)>::history_size > 0) gauss_stress<true>(element, law, b);
         });
       case Phase::spring_utilisation:
-        return exec_.for_each(contact_count(),
-                              SpringUtilisation<Real>{springs_.view(), body_.u, springs_.utilisation.data()});
+        return each_contact([&](auto springs, int first) {
+          return SpringUtilisation<Real, decltype(springs)>{springs, body_.u, springs_.utilisation.data() + first};
+        });
       case Phase::spring_crossing:
-        return exec_.for_each(contact_count(), SpringCrossing<Real>{springs_.view(), u_before_.view(), body_.u,
-                                                                    springs_.utilisation.data()});
+        return each_contact([&](auto springs, int first) {
+          return SpringCrossing<Real, decltype(springs)>{springs, u_before_.view(), body_.u,
+                                                         springs_.utilisation.data() + first};
+        });
       case Phase::break_springs:
-        return exec_.for_each(contact_count(),
-                              BreakSprings<Real>{springs_.view(), body_.u, Real(controls.break_threshold)});
+        return each_contact([&](auto springs, int) {
+          return BreakSprings<Real, decltype(springs)>{springs, body_.u, Real(controls.break_threshold)};
+        });
       case Phase::heat_flow: return heat_.find_flow(exec_);
       case Phase::step_heat: return heat_.step(exec_, controls.time_step);
       case Phase::heat_steps: return heat_.march(exec_, controls.time_step, controls.steps);
@@ -247,8 +165,10 @@ class Phases final : public Backend {
       case Phase::gauss_temperature: return heat_.warm_gauss_points(exec_, warming_.data());
       case Phase::start_motion: return motion_.start(node_count(), contact_count());
       case Phase::advance_springs:
-        return exec_.for_each(contact_count(), AdvanceSprings<Real>{springs_.view(), body_.u, springs_.slip.data(),
-                                                                    motion_.spring_dissipation.data()});
+        return each_contact([&](auto springs, int first) {
+          return AdvanceSprings<Real, decltype(springs)>{springs, body_.u, springs_.slip.data() + 3 * first,
+                                                         motion_.spring_dissipation.data() + first};
+        });
       case Phase::damping_force: return damping_force(controls.stiffness_damping);
       case Phase::step_motion: return motion_.step(exec_, body_, controls);
       case Phase::combine_parts:
@@ -340,7 +260,15 @@ class Phases final : public Backend {
   using Array = typename Exec::template Array<T>;
   BalanceView<Real> balance_view() { return balance_.view(body_, groups_); }
   int node_count() const { return body_.nodes.node_count; }
-  int contact_count() const { return springs_.view().contact_count; }
+  int contact_count() const { return springs_.pairs().contact_count + springs_.overlaps().contact_count; }
+
+  /// Runs kernel_of(springs, their first contact point) on node pairs, then on the points of overlaps.
+  template <class KernelOf>
+  void each_contact(KernelOf kernel_of) {
+    const int pairs = springs_.pairs().contact_count;
+    exec_.for_each(pairs, kernel_of(springs_.pairs(), 0));
+    if (pairs < contact_count()) exec_.for_each(springs_.overlaps().contact_count, kernel_of(springs_.overlaps(), pairs));
+  }
 
   void set_damping(const Controls& c) {
     const StepDamping<Real> damping{Real(c.local_damping), Real((2 - c.viscous_damping) / (2 + c.viscous_damping)),
@@ -450,8 +378,15 @@ class Phases final : public Backend {
     exec_.for_each(discretisation_.blocks.boundary_count(), GatherBoundary<Real, 3>{body_.nodes, body_.partial, sum});
   }
   void spring_force() {
-    exec_.for_each(contact_count(), SpringForce<Real>{springs_.view(), body_.u});
-    exec_.for_each(springs_.view().node_count, GatherSpring<Real>{springs_.view(), body_.force});
+    add_spring_force(springs_.pairs(), springs_.overlaps(), body_.u, body_.force);
+  }
+  void add_spring_force(const SpringView<Real>& pairs, const OverlapView<Real>& overlaps, const Summed<Real>& u,
+                        Real* force) {
+    exec_.for_each(pairs.contact_count, SpringForce<Real>{pairs, u});
+    exec_.for_each(pairs.node_count, GatherSpring<Real>{pairs, force});
+    if (overlaps.contact_count == 0) return;
+    exec_.for_each(overlaps.contact_count, SpringForce<Real, OverlapView<Real>>{overlaps, u});
+    exec_.for_each(overlaps.node_count, GatherOverlap<Real>{overlaps, force});
   }
   /// The force routines on the search direction instead of the displacement.
   void balance_product() {
@@ -461,11 +396,11 @@ class Phases final : public Backend {
     moved.force = view.product;
     each_batch([&](auto element, const auto& law, int b) { elastic_forces(element, law.elastic(), b, moved); });
     gather_boundary(view.product);
-    SpringView<Real> springs = springs_.view();
-    springs.slip = no_slip_.data();
-    springs.initial_gap = nullptr;
-    exec_.for_each(contact_count(), SpringForce<Real>{springs, moved.u});
-    exec_.for_each(springs.node_count, GatherSpring<Real>{springs, view.product});
+    SpringView<Real> pairs = springs_.pairs();
+    OverlapView<Real> overlaps = springs_.overlaps();
+    pairs.slip = overlaps.slip = no_slip_.data();
+    pairs.initial_gap = overlaps.initial_gap = nullptr;
+    add_spring_force(pairs, overlaps, moved.u, view.product);
   }
   void damping_force(double factor) {
     BodyView<Real> moved = body_;

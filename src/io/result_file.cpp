@@ -81,18 +81,29 @@ Grid body_grid(const Mesh& mesh, const Blocks& blocks) {
   return grid;
 }
 
-Grid face_grid(const Mesh& mesh, const Blocks& blocks, const ContactPoints& contacts) {
-  Grid grid;
-  std::vector<int> corners(blocks.faces.size(), 0);
+/// First contact point of every cell, and their number: a coincident face, a triangle of an overlap.
+std::vector<int> cells_of(const ContactPoints& contacts) {
+  std::vector<int> first;
   for (int i = 0; i < contacts.count(); ++i) {
-    const auto& p = mesh.points[blocks.mesh_node[contacts.node_a[i]]];
+    const int overlap_point = i - contacts.pair_count();
+    if (overlap_point < 0 ? i == 0 || contacts.face[i] != contacts.face[i - 1] : overlap_point % 3 == 0)
+      first.push_back(i);
+  }
+  first.push_back(contacts.count());
+  return first;
+}
+
+Grid face_grid(const Mesh& mesh, const Blocks& blocks, const ContactPoints& contacts, const std::vector<int>& cells) {
+  Grid grid;
+  for (int i = 0; i < contacts.count(); ++i) {
+    const bool pair = i < contacts.pair_count();
+    const auto& p = pair ? mesh.points[blocks.mesh_node[contacts.node_a[i]]] : contacts.corner[i - contacts.pair_count()];
     grid.points.insert(grid.points.end(), {p.x, p.y, p.z});
     grid.connectivity.push_back(i);
-    ++corners[contacts.face[i]];
   }
-  for (const int count : corners) {
-    grid.offsets.push_back(grid.offsets.back() + count);
-    grid.types.push_back(count == 3 ? 5 : 9);
+  for (std::size_t cell = 0; cell + 1 < cells.size(); ++cell) {
+    grid.offsets.push_back(cells[cell + 1]);
+    grid.types.push_back(cells[cell + 1] - cells[cell] == 3 ? 5 : 9);
   }
   return grid;
 }
@@ -111,11 +122,13 @@ GridFile make_interfaces(const std::string& folder, const std::string& program, 
                          const Blocks& blocks, const ContactPoints& contacts) {
   GridArray interface { "interface", false, 1, Type::integer, "" };
   for (const auto& declared : model.interfaces) interface.labels.push_back(declared.name);
+  const std::vector<int> cells = cells_of(contacts);
   std::vector<int> numbers;
-  for (const auto& face : blocks.faces) numbers.push_back(face.interface);
+  for (std::size_t cell = 0; cell + 1 < cells.size(); ++cell) numbers.push_back(contacts.interface[cells[cell]]);
   return GridFile(
-      folder, "interfaces", face_grid(model.mesh, blocks, contacts),
-      attributes_of(program, model, "cells: interface faces; points: their contact points, face after face"),
+      folder, "interfaces", face_grid(model.mesh, blocks, contacts, cells),
+      attributes_of(program, model,
+                    "cells: coincident faces, then triangles of overlaps; points: their contact points, cell after cell"),
       {{interface, numbers}}, interface_arrays(recorded_names(model)));
 }
 
@@ -188,8 +201,7 @@ std::vector<std::string> recorded_names(const Model& model) {
 ResultFile::ResultFile(const std::string& folder, const std::string& program, const Model& model, const Blocks& blocks,
                        const ContactPoints& contacts)
     : model_(model),
-      node_a_(contacts.node_a),
-      node_b_(contacts.node_b),
+      contacts_(contacts),
       node_count_(blocks.mesh_node.size()),
       result_arrays_(names_of(arrays_of(result_fields, recorded_names(model)))),
       interface_arrays_(names_of(interface_arrays(recorded_names(model)))),
@@ -214,7 +226,7 @@ void ResultFile::append(const Snapshot& snapshot) {
   results_.append(step, data);
   if (!interfaces_) return;
 
-  const std::size_t contact_count = node_a_.size();
+  const std::size_t contact_count = contacts_.count();
   std::vector<double> displacement;
   data.clear();
   for (const auto& field : interface_fields) {
@@ -224,8 +236,11 @@ void ResultFile::append(const Snapshot& snapshot) {
       continue;
     }
     const auto& u = values(field, 3 * node_count_);
-    for (std::size_t i = 0; i < contact_count; ++i)
-      for (int c = 0; c < 3; ++c) displacement.push_back((u[3 * node_a_[i] + c] + u[3 * node_b_[i] + c]) / 2);
+    displacement.assign(3 * contact_count, 0.0);
+    for (int i = 0; i < contacts_.count(); ++i)
+      contacts_.each_end(i, [&](int node, double weight) {
+        for (int c = 0; c < 3; ++c) displacement[3 * i + c] += std::abs(weight) * u[3 * node + c] / 2;
+      });
     data.push_back(displacement.data());
   }
   std::vector<std::uint8_t> state = snapshot.contact_state;

@@ -29,7 +29,7 @@ std::vector<std::string> recorded_names(const Model& model);
 /// i.
 class ResultFile {
  public:
-  /// Creates the files in `folder`. `program` ("ashlar 0.1.0") is written into them.
+  /// Creates the files in `folder`. `program` ("ashlar 0.1.0") is written into them. Model and contacts outlive it.
   ResultFile(const std::string& folder, const std::string& program, const Model& model, const Blocks& blocks,
              const ContactPoints& contacts);
 
@@ -43,7 +43,7 @@ class ResultFile {
 
  private:
   const Model& model_;
-  std::vector<int> node_a_, node_b_;  ///< block nodes of every contact point
+  const ContactPoints& contacts_;
   std::size_t node_count_;
   std::vector<std::string> result_arrays_, interface_arrays_;
   GridFile results_;

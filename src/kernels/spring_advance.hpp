@@ -6,9 +6,9 @@ namespace ashlar {
 
 /// One contact point -> its state and slip at the present displacement, and the energy that this took out. Slip moves
 /// by Coulomb's return; what a cracking spring loses beyond its friction is gone at once.
-template <class Real>
+template <class Real, class View = SpringView<Real>>
 struct AdvanceSprings {
-  SpringView<Real> springs;
+  View springs;
   Summed<Real> u;
   Real* slip;           ///< [3 * contacts] m, the same array as SpringView::slip
   double* dissipation;  ///< [contacts] J, since the stage began

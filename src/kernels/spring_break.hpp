@@ -5,9 +5,9 @@
 namespace ashlar {
 
 /// One contact point -> how much of its strength it uses; 0 where there is nothing left to break.
-template <class Real>
+template <class Real, class View = SpringView<Real>>
 struct SpringUtilisation {
-  SpringView<Real> springs;
+  View springs;
   Summed<Real> u;
   Real* used;  ///< [contacts]
 
@@ -19,9 +19,9 @@ struct SpringUtilisation {
 
 /// One contact point -> the fraction of the way from `u_before` to `u` at which it first uses its whole strength, above
 /// 1 if it does not. Exact while its traction is linear on that way.
-template <class Real>
+template <class Real, class View = SpringView<Real>>
 struct SpringCrossing {
-  SpringView<Real> springs;
+  View springs;
   Summed<Real> u_before;
   Summed<Real> u;
   Real* fraction;  ///< [contacts]
@@ -35,9 +35,9 @@ struct SpringCrossing {
 };
 
 /// One contact point -> cracked, in the mode that uses most of its strength, if it uses at least `threshold` of it.
-template <class Real>
+template <class Real, class View = SpringView<Real>>
 struct BreakSprings {
-  SpringView<Real> springs;
+  View springs;
   Summed<Real> u;
   Real threshold;
 

@@ -8,9 +8,9 @@ namespace ashlar {
 /// One contact point -> its force (numerics 5). Slip stays as it was at the last kept equilibrium: during a relaxation
 /// the traction depends on the present gap alone, so overshoot leaves no trace and the equilibrium does not depend on
 /// damping.
-template <class Real>
+template <class Real, class View = SpringView<Real>>
 struct SpringForce {
-  SpringView<Real> springs;
+  View springs;
   Summed<Real> u;  ///< [3 * block nodes] m
 
   ASHLAR_HD void operator()(int c) const {
@@ -35,6 +35,23 @@ struct GatherSpring {
       for (int k = 0; k < 3; ++k) sum[k] = fma(sign, f[k], sum[k]);
     }
     for (int k = 0; k < 3; ++k) force[3 * springs.node[i] + k] = sum[k];
+  }
+};
+
+/// The same for contact points of overlaps, by the node's weight in each.
+template <class Real>
+struct GatherOverlap {
+  OverlapView<Real> springs;
+  Real* force;  ///< [3 * block nodes] N
+
+  ASHLAR_HD void operator()(int i) const {
+    const int at = 3 * springs.node[i];
+    Real sum[3] = {force[at], force[at + 1], force[at + 2]};
+    for (int j = springs.node_first[i]; j < springs.node_first[i + 1]; ++j) {
+      const Real* f = springs.force + 3 * springs.node_contact[j];
+      for (int k = 0; k < 3; ++k) sum[k] = fma(springs.node_weight[j], f[k], sum[k]);
+    }
+    for (int k = 0; k < 3; ++k) force[at + k] = sum[k];
   }
 };
 

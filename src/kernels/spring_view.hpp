@@ -38,16 +38,43 @@ struct SpringView {
     const int a = 3 * node_a[c], b = 3 * node_b[c];
     return {difference(u[b], u[a]), difference(u[b + 1], u[a + 1]), difference(u[b + 2], u[a + 2])};
   }
-  ASHLAR_HD Vec3<Real> stretch(const Summed<Real>& u, int c) const {
-    const Vec3<Real> moved = gap(u, c);
+  ASHLAR_HD Vec3<Real> stretch(const Vec3<Real>& moved, int c) const {
     if (!initial_gap) return moved;
     return moved + Vec3<Real>{initial_gap[3 * c], initial_gap[3 * c + 1], initial_gap[3 * c + 2]};
   }
   /// Traction of contact c at displacement u, and the slip that goes with it.
-  ASHLAR_HD SpringAnswer<Real> answer(const Summed<Real>& u, int c) const {
+  ASHLAR_HD SpringAnswer<Real> answer(const Summed<Real>& u, int c) const { return answer_to(stretch(gap(u, c), c), c); }
+
+ protected:
+  ASHLAR_HD SpringAnswer<Real> answer_to(const Vec3<Real>& stretched, int c) const {
     const auto& law = law_of(c);
-    return spring_traction(law.holds(state[c]), law.tan_friction, stiffness_of(c), split(stretch(u, c), normal_of(c)),
+    return spring_traction(law.holds(state[c]), law.tan_friction, stiffness_of(c), split(stretched, normal_of(c)),
                            slip_of(c));
+  }
+};
+
+/// The contact points of overlaps: every array of theirs from its first. What differs is between which nodes they are.
+template <class Real>
+struct OverlapView : SpringView<Real> {
+  const int* first_end = nullptr;   ///< [overlap points + 1] into end_node
+  const int* end_node = nullptr;    ///< block nodes, side a first
+  const Real* end_weight = nullptr; ///< shape functions, side a negative; they sum to zero
+
+  /// Overlap points of a node: entries node_first[i] .. node_first[i+1]-1 of node_contact, which holds the points.
+  const Real* node_weight = nullptr;  ///< beside node_contact: weight of the node in the point's gap
+
+  /// From differences to the first node, which stay exact where everything moves.
+  ASHLAR_HD Vec3<Real> gap(const Summed<Real>& u, int c) const {
+    const int base = 3 * end_node[first_end[c]];
+    Vec3<Real> sum;
+    for (int j = first_end[c] + 1; j < first_end[c + 1]; ++j) {
+      const int node = 3 * end_node[j];
+      for (int i = 0; i < 3; ++i) sum[i] = fma(end_weight[j], difference(u[node + i], u[base + i]), sum[i]);
+    }
+    return sum;
+  }
+  ASHLAR_HD SpringAnswer<Real> answer(const Summed<Real>& u, int c) const {
+    return this->answer_to(this->stretch(gap(u, c), c), c);
   }
 };
 

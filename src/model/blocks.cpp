@@ -1,6 +1,7 @@
 #include "model/blocks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -132,11 +133,21 @@ std::string why_apart(const Mesh& mesh, const std::vector<std::string>& regions)
   for (int i = 0; i < 3; ++i)
     if (const double gap = std::max(low[0][i] - high[1][i], low[1][i] - high[0][i]);
         gap > 1e-9 * (high[0][i] - low[0][i]))
-      return "a gap of " + number_text(gap) + " m along " + "xyz"[i] + " lies between them; let them touch";
-  return "their meshes must have the same corner nodes where they touch";
+      return "a gap of " + number_text(gap) + " m along " + "xyz"[i] +
+             " lies between them; let them touch, or give tolerance = " + number_text(gap * 1.01) + "*m to join them";
+  return "none of their faces look at each other from near";
 }
 
-void refuse_joints_without_faces(const Model& model, const std::vector<InterfaceFace>& faces) {
+/// Of facets that were found, but beyond the tolerance.
+std::string why_too_far(const JointMatch& match) {
+  const double distance = std::abs(match.too_far_by);
+  return std::to_string(match.too_far) + " faces look at each other, the nearest " +
+         (match.too_far_by > 0 ? "across a gap of " : "overlapping by ") + number_text(distance) +
+         " m; let them touch, or give tolerance = " + number_text(distance * 1.01) + "*m or more to join them";
+}
+
+void refuse_joints_without_faces(const Model& model, const Blocks& blocks) {
+  const std::vector<InterfaceFace>& faces = blocks.faces;
   std::vector<int> count(model.interfaces.size(), 0);
   for (const auto& face : faces) ++count[face.interface];
   Complaints wrong;
@@ -144,7 +155,9 @@ void refuse_joints_without_faces(const Model& model, const std::vector<Interface
     const auto& declared = model.interfaces[i];
     if (count[i] || declared.crackable) continue;
     wrong.add(declared.where, kind_and_name(declared) + ": regions '" + declared.regions[0] + "' and '" +
-                                  declared.regions[1] + "' share no face: " + why_apart(model.mesh, declared.regions));
+                                  declared.regions[1] + "' share no face: " +
+                                  (blocks.matches[i].too_far ? why_too_far(blocks.matches[i])
+                                                             : why_apart(model.mesh, declared.regions)));
   }
   wrong.raise();
 }
@@ -170,7 +183,21 @@ Blocks split_blocks(const Model& model, const FaceGraph& graph) {
       for (const int n : mesh.facet_nodes(pair.a)) touches_interface[n] = 1;
     }
   }
-  refuse_joints_without_faces(model, blocks.faces);
+  Facing facing = find_facing(model, graph);
+  for (const bool identical : {true, false})
+    for (FacingFaces& pair : facing.faces) {
+      if (pair.identical != identical) continue;
+      blocks.faces.push_back({pair.a, pair.b, pair.interface});
+      if (!identical) blocks.overlaps.push_back(std::move(pair.overlap));
+      for (const Facet& side : {pair.a, pair.b})
+        for (const int n : mesh.facet_nodes(side)) touches_interface[n] = 1;
+    }
+  std::stable_sort(blocks.faces.begin(), blocks.faces.begin() + blocks.coincident_count(),
+                   [](const InterfaceFace& p, const InterfaceFace& q) {
+                     return before(p.a, q.a);
+                   });
+  blocks.matches = std::move(facing.matches);
+  refuse_joints_without_faces(model, blocks);
 
   const auto corner_at = [&](int element, int node) {
     const auto nodes = mesh.element(element);

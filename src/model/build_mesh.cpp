@@ -2,6 +2,7 @@
 #include <set>
 
 #include "model/check_mesh.hpp"
+#include "model/contact/facing.hpp"
 #include "model/doubts.hpp"
 #include "model/mesher/extrude.hpp"
 #include "model/mesher/merge_points.hpp"
@@ -32,7 +33,7 @@ class Assembly {
     for (std::size_t i = 0; i < model_.imports.size(); ++i)
       add_import(model_.imports[i], source_nodes(static_cast<int>(sources_.size() + i)));
     complaints_.raise();
-    check_mesh(mesh_, region_declared_);
+    check_mesh(mesh_, region_declared_, joined_regions());
     note_locking();
     add_surfaces();
     for (const std::string& doubt : doubts(model_)) model_.notes.push_back(doubt);
@@ -57,6 +58,14 @@ class Assembly {
                                " lock in plastic flow; collapse loads may come out tens of per cent too high" +
                                (kind == "tet4" ? ", hex8 and wedge6 do not" : ", formulation = \"bbar\" does not"));
     }
+  }
+
+  std::set<std::pair<int, int>> joined_regions() const {
+    std::set<std::pair<int, int>> joined;
+    for (const Interface& i : model_.interfaces)
+      if (!i.crackable && i.regions.size() == 2)
+        joined.insert(std::minmax(mesh_.find_region(i.regions[0]), mesh_.find_region(i.regions[1])));
+    return joined;
   }
 
   void make_sources() {
@@ -162,7 +171,10 @@ class Assembly {
   }
 
   void add_surfaces() {
-    const auto faces = find_faces(mesh_);
+    auto faces = find_faces(mesh_);
+    // Faces that a joint brings together lie inside the body, like those that share their nodes.
+    const std::vector<Facet> covered = find_facing(model_, faces).covered;
+    std::erase_if(faces.outer, [&](const Facet& f) { return std::binary_search(covered.begin(), covered.end(), f, before); });
     for (std::size_t region = 0; region < names_.size(); ++region)
       for (auto& side : region_sides(mesh_, faces, static_cast<int>(region))) mesh_.surfaces.push_back(std::move(side));
     std::vector<std::string> lines;

@@ -39,7 +39,8 @@ class LimitedComplaints {
 
 class MeshCheck {
  public:
-  MeshCheck(const Mesh& mesh, const std::vector<Where>& declared) : mesh_(mesh), declared_(declared) {}
+  MeshCheck(const Mesh& mesh, const std::vector<Where>& declared, const std::set<std::pair<int, int>>& joined)
+      : mesh_(mesh), declared_(declared), joined_(joined) {}
 
   void run() {
     finite_coordinates();
@@ -162,11 +163,11 @@ class MeshCheck {
     std::set<std::pair<int, int>> known;
     for (const auto& pair : find_touching(mesh_, faces)) {
       const int a = mesh_.regions[pair.a.element], b = mesh_.regions[pair.b.element];
-      if (!known.insert(std::minmax(a, b)).second) continue;
+      if (joined_.contains(std::minmax(a, b)) || !known.insert(std::minmax(a, b)).second) continue;
       complaints_.add(a < static_cast<int>(declared_.size()) ? declared_[a] : Where{},
                       name(pair.a.element) + ": touches " + name(pair.b.element) +
-                          " without sharing its nodes, so nothing would hold them together; give both meshes the same "
-                          "divisions where they meet");
+                          " without sharing its nodes, so nothing would hold them together; join their "
+                          "regions by a joint, or give both meshes the same divisions where they meet");
     }
   }
 
@@ -190,9 +191,11 @@ class MeshCheck {
         for (const auto& quad : at->second) {
           const auto q = mesh_.facet_nodes(quad);
           if (std::find(q.begin(), q.end(), n[(i + 2) % 3]) == q.end()) continue;
+          if (joined_.contains(std::minmax(mesh_.regions[f.element], mesh_.regions[quad.element]))) continue;
           found.add(mesh_.regions[f.element], [&] {
             return name(f.element) + ": its triangle lies on a quad of " + name(quad.element) +
-                   "; give both regions the same elements (hex8 beside wedge6 fits along the sides of a section only)";
+                   "; join their regions by a joint, or give both the same elements (hex8 beside wedge6 fits along the sides "
+                   "of a section only)";
           });
         }
       }
@@ -201,12 +204,15 @@ class MeshCheck {
 
   const Mesh& mesh_;
   const std::vector<Where>& declared_;
+  const std::set<std::pair<int, int>>& joined_;
   Complaints complaints_;
 };
 
 }  // namespace
 
-void check_mesh(const Mesh& mesh, const std::vector<Where>& declared) { MeshCheck(mesh, declared).run(); }
+void check_mesh(const Mesh& mesh, const std::vector<Where>& declared, const std::set<std::pair<int, int>>& joined) {
+  MeshCheck(mesh, declared, joined).run();
+}
 
 MeshQuality measure_quality(const Mesh& mesh) {
   MeshQuality quality;

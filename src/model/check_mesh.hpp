@@ -1,4 +1,6 @@
 #pragma once
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -10,8 +12,9 @@ namespace ashlar {
 /// element, non-positive Jacobian at a Gauss point or corner, two elements on the same corners, elements that overlap
 /// across a face, nodes in no element, faces that touch but are divided differently.
 /// @param declared [regions] the declaration that made each region, for messages
+/// @param joined pairs of regions that a joint brings together whether their faces match or not, smaller one first
 /// Throws DeckError with every complaint found (ten of a kind, then their count).
-void check_mesh(const Mesh& mesh, const std::vector<Where>& declared);
+void check_mesh(const Mesh& mesh, const std::vector<Where>& declared, const std::set<std::pair<int, int>>& joined = {});
 
 /// One quality number with the element that has it.
 struct WorstElement {

@@ -39,18 +39,57 @@ std::vector<Moduli> moduli_of_regions(const Model& model) {
   return moduli;
 }
 
+Vec3<double> traction(const Sym3<double>& s, const Vec3<double>& n) {
+  return {s.xx * n.x + s.xy * n.y + s.zx * n.z, s.xy * n.x + s.yy * n.y + s.yz * n.z,
+          s.zx * n.x + s.yz * n.y + s.zz * n.z};
+}
+
 /// Integral of N_i sigma n dA over one facet, N, of a stress field in the element's region; n as the facet's.
 std::array<Vec3<double>, 4> corner_forces(const Mesh& mesh, const Facet& facet, const InitialStressField& field) {
   std::array<Vec3<double>, 4> forces{};
   for (const auto& point : facet_points(facet_corners(mesh, facet))) {
-    const Sym3<double> s = field.at(mesh.regions[facet.element], point.position);
-    const Vec3<double>& n = point.area;
-    const Vec3<double> force{s.xx * n.x + s.xy * n.y + s.zx * n.z, s.xy * n.x + s.yy * n.y + s.yz * n.z,
-                             s.zx * n.x + s.yz * n.y + s.zz * n.z};
+    const Vec3<double> force = traction(field.at(mesh.regions[facet.element], point.position), point.area);
     for (int i = 0; i < 4; ++i) forces[i] = forces[i] + point.shape[i] * force;
   }
   if (face_corners(mesh.shapes[facet.element], facet.face).size() == 3) forces[2] = forces[2] + forces[3];
   return forces;
+}
+
+/// One facet of an overlap.
+struct OverlapSide {
+  int element;
+  std::vector<int> nodes;
+  FacetCorners corners;
+
+  OverlapSide(const Mesh& mesh, const Facet& f)
+      : element(f.element), nodes(mesh.facet_nodes(f)), corners(facet_corners(mesh, f)) {}
+  std::array<double, 4> shape_at(const Vec3<double>& p) const {
+    return nodes.size() == 3 ? triangle_shape_at(corners, p) : facet_shape_at(corners, p);
+  }
+  /// Triangle or parallelogram: shape functions are polynomials of the place, of degree 2 at most.
+  bool affine() const {
+    const Vec3<double> bend = corners[0] - corners[1] + corners[2] - corners[3];
+    return nodes.size() == 3 || norm(bend) < 1e-6 * norm(corners[2] - corners[0]);
+  }
+};
+
+using Triangle = std::array<Vec3<double>, 3>;
+
+/// The overlap cut into triangles, each of them into four where shape functions are no polynomials.
+std::vector<Triangle> triangles_of(const Overlap& overlap, bool affine) {
+  std::vector<Triangle> triangles;
+  const std::vector<Vec3<double>>& p = overlap.polygon;
+  for (std::size_t i = 1; i + 1 < p.size(); ++i) triangles.push_back({p[0], p[i], p[i + 1]});
+  for (int round = 0; round < (affine ? 0 : 1); ++round) {
+    std::vector<Triangle> finer;
+    for (const Triangle& t : triangles) {
+      const Triangle middle{0.5 * (t[0] + t[1]), 0.5 * (t[1] + t[2]), 0.5 * (t[2] + t[0])};
+      finer.insert(finer.end(), {Triangle{t[0], middle[0], middle[2]}, Triangle{middle[0], t[1], middle[1]},
+                                 Triangle{middle[2], middle[1], t[2]}, middle});
+    }
+    triangles = std::move(finer);
+  }
+  return triangles;
 }
 
 std::string what(const Interface& i) { return (i.crackable ? "crackable '" : "joint '") + i.name + "'"; }
@@ -76,10 +115,34 @@ ContactPoints place_contacts(const Model& model, const Blocks& blocks) {
     return blocks.corners[mesh.first_corner[element] + at];
   };
 
+  const auto stiffness_of = [&](const InterfaceFace& face, double half_heights) {
+    const auto& a = moduli[mesh.regions[face.a.element]];
+    const auto& b = moduli[mesh.regions[face.b.element]];
+    const auto& given = constants[face.interface].stiffness;
+    const double per_modulus = given.stiffness_factor / half_heights;
+    const SpringStiffness<double> stiffness{
+        given.normal_stiffness > 0 ? given.normal_stiffness : per_modulus * std::min(a.oedometric, b.oedometric),
+        given.shear_stiffness > 0 ? given.shear_stiffness : per_modulus * std::min(a.shear, b.shear)};
+    if (!(stiffness.normal > 0 && stiffness.shear > 0))
+      throw DeckError(model.interfaces[face.interface].where,
+                      what(model.interfaces[face.interface]) + ": no stiffness, because region '" +
+                          mesh.region_names[mesh.regions[(a.shear > 0 ? face.b : face.a).element]] +
+                          "' has no material: give it one, or give normal_stiffness and shear_stiffness");
+    return stiffness;
+  };
+
   ContactPoints contacts;
-  for (int f = 0; f < static_cast<int>(blocks.faces.size()); ++f) {
+  const auto add = [&](int f, const Vec3<double>& normal, double area, const SpringStiffness<double>& stiffness) {
+    contacts.face.push_back(f);
+    contacts.interface.push_back(blocks.faces[f].interface);
+    contacts.normal.push_back(normal);
+    contacts.area.push_back(area);
+    contacts.normal_stiffness.push_back(stiffness.normal);
+    contacts.shear_stiffness.push_back(stiffness.shear);
+  };
+  for (int f = 0; f < blocks.coincident_count(); ++f) {
     const auto& face = blocks.faces[f];
-    const auto nodes = mesh.facet_nodes(face.a);
+    const auto nodes = mesh.facet_nodes(face.a), other_nodes = mesh.facet_nodes(face.b);
     const auto areas = corner_areas(mesh, face.a);
     const double area = std::accumulate(areas.begin(), areas.begin() + nodes.size(), 0.0);
     const Vec3<double> along = mesh.facet_area(face.a);
@@ -89,41 +152,52 @@ ContactPoints place_contacts(const Model& model, const Blocks& blocks) {
     // middle.
     const double half_heights =
         (element_volume(mesh, face.a.element) + element_volume(mesh, face.b.element)) / (2 * area);
-    const auto& a = moduli[mesh.regions[face.a.element]];
-    const auto& b = moduli[mesh.regions[face.b.element]];
-    const auto& given = constants[face.interface].stiffness;
-    const double per_modulus = given.stiffness_factor / half_heights;
-    const double normal_stiffness =
-        given.normal_stiffness > 0 ? given.normal_stiffness : per_modulus * std::min(a.oedometric, b.oedometric);
-    const double shear_stiffness =
-        given.shear_stiffness > 0 ? given.shear_stiffness : per_modulus * std::min(a.shear, b.shear);
-    if (!(normal_stiffness > 0 && shear_stiffness > 0))
-      throw DeckError(model.interfaces[face.interface].where,
-                      what(model.interfaces[face.interface]) + ": no stiffness, because region '" +
-                          mesh.region_names[mesh.regions[(a.shear > 0 ? face.b : face.a).element]] +
-                          "' has no material: give it one, or give normal_stiffness and shear_stiffness");
+    const SpringStiffness<double> stiffness = stiffness_of(face, half_heights);
 
     // Both sides have their own stress there; the spring carries the mean, and the difference is out of balance.
-    std::array<Vec3<double>, 4> initial{};
+    std::array<Vec3<double>, 4> side_a{}, side_b{};
     if (initial_stress.any()) {
-      const auto other_nodes = mesh.facet_nodes(face.b);
-      const auto side_a = corner_forces(mesh, face.a, initial_stress);
-      const auto side_b = corner_forces(mesh, face.b, initial_stress);
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const auto j = std::find(other_nodes.begin(), other_nodes.end(), nodes[i]) - other_nodes.begin();
-        initial[i] = (0.5 / areas[i]) * (side_a[i] - side_b[j]);
-      }
+      side_a = corner_forces(mesh, face.a, initial_stress);
+      side_b = corner_forces(mesh, face.b, initial_stress);
     }
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (initial_stress.any()) contacts.initial_traction.push_back(initial[i]);
+    for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
+      const int j = corner_on_corner(mesh, nodes[i], other_nodes);
+      if (initial_stress.any()) contacts.initial_traction.push_back((0.5 / areas[i]) * (side_a[i] - side_b[j]));
       contacts.node_a.push_back(block_node(face.a.element, nodes[i]));
-      contacts.node_b.push_back(block_node(face.b.element, nodes[i]));
-      contacts.face.push_back(f);
-      contacts.interface.push_back(face.interface);
-      contacts.normal.push_back(normal);
-      contacts.area.push_back(areas[i]);
-      contacts.normal_stiffness.push_back(normal_stiffness);
-      contacts.shear_stiffness.push_back(shear_stiffness);
+      contacts.node_b.push_back(block_node(face.b.element, other_nodes[j]));
+      add(f, normal, areas[i], stiffness);
+    }
+  }
+
+  for (int k = 0; k < static_cast<int>(blocks.overlaps.size()); ++k) {
+    const int f = blocks.coincident_count() + k;
+    const auto& face = blocks.faces[f];
+    const Overlap& overlap = blocks.overlaps[k];
+    const OverlapSide a(mesh, face.a), b(mesh, face.b);
+    const SpringStiffness<double> stiffness =
+        stiffness_of(face, 0.5 * (element_volume(mesh, face.a.element) / norm(mesh.facet_area(face.a)) +
+                                  element_volume(mesh, face.b.element) / norm(mesh.facet_area(face.b))));
+    for (const Triangle& triangle : triangles_of(overlap, a.affine() && b.affine())) {
+      const double area = norm(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) / 2;
+      if (!(area > 0)) continue;
+      for (int i = 0; i < 3; ++i) {
+        // The rule of degree 2 whose points lean to the corners.
+        const Vec3<double> p = (2.0 / 3) * triangle[i] + (1.0 / 6) * (triangle[(i + 1) % 3] + triangle[(i + 2) % 3]);
+        for (const auto& [side, sign] : {std::pair{&a, -1.0}, {&b, 1.0}}) {
+          const auto shape = side->shape_at(p);
+          for (std::size_t n = 0; n < side->nodes.size(); ++n) {
+            contacts.end_node.push_back(block_node(side->element, side->nodes[n]));
+            contacts.end_weight.push_back(sign * shape[n]);
+          }
+        }
+        contacts.first_end.push_back(static_cast<int>(contacts.end_node.size()));
+        contacts.corner.push_back(triangle[i]);
+        if (initial_stress.any())
+          contacts.initial_traction.push_back(
+              0.5 * (traction(initial_stress.at(mesh.regions[face.a.element], p), overlap.normal) +
+                     traction(initial_stress.at(mesh.regions[face.b.element], p), overlap.normal)));
+        add(f, overlap.normal, area / 3, stiffness);
+      }
     }
   }
   return contacts;

@@ -114,6 +114,8 @@ int Mesh::find_region(const std::string& name) const {
   return at == region_names.end() ? -1 : static_cast<int>(at - region_names.begin());
 }
 
+bool before(const Facet& a, const Facet& b) { return std::tie(a.element, a.face) < std::tie(b.element, b.face); }
+
 FaceGraph find_faces(const Mesh& mesh) {
   const auto faces = sorted_faces(mesh);
   FaceGraph graph;
@@ -132,9 +134,6 @@ FaceGraph find_faces(const Mesh& mesh) {
       graph.outer.push_back(faces[i].facet);
     i = end;
   }
-  const auto before = [](const Facet& a, const Facet& b) {
-    return std::tie(a.element, a.face) < std::tie(b.element, b.face);
-  };
   std::sort(graph.outer.begin(), graph.outer.end(), before);
   std::sort(graph.inner.begin(), graph.inner.end(),
             [&](const FacePair& p, const FacePair& q) { return before(p.a, q.a); });

@@ -31,6 +31,9 @@ struct Facet {
   bool operator==(const Facet&) const = default;
 };
 
+/// Order of faces: by element, then face.
+bool before(const Facet& a, const Facet& b);
+
 /// A named set of faces. Outer faces have one owner; a facet inside the mesh names the element that it was selected from.
 struct Surface {
   std::string name;

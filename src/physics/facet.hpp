@@ -68,6 +68,15 @@ inline std::array<double, 4> facet_shape_at(const FacetCorners& x, const Vec3<do
   return facet_shape(a, b);
 }
 
+/// The same on a plane triangle, from its areas; the fourth is not there.
+inline std::array<double, 4> triangle_shape_at(const FacetCorners& x, const Vec3<double>& p) {
+  const Vec3<double> normal = cross(x[1] - x[0], x[2] - x[0]);
+  const double whole = dot(normal, normal);
+  const double second = dot(cross(p - x[0], x[2] - x[0]), normal) / whole;
+  const double third = dot(cross(x[1] - x[0], p - x[0]), normal) / whole;
+  return {1 - second - third, second, third, 0};
+}
+
 /// The points p with dot(normal, p) < offset.
 struct HalfSpace {
   Vec3<double> normal;

@@ -136,6 +136,7 @@ int add_interface(const Call& c) {
               c.fields.texts(joint ? "between" : "region"),
               c.fields.text("law"),
               c.fields.law_values};
+  if (joint) i.tolerance = c.fields.maybe("tolerance").value_or(0);
   if (joint && (i.regions.size() != 2 || i.regions[0] == i.regions[1]))
     c.complain("between", "'between' names two different regions: { \"dam\", \"rock\" }");
   c.model().interfaces.push_back(i);

@@ -268,8 +268,12 @@ const std::vector<NounRule>& nouns() {
        .laws = Laws::material},
       {.name = "joint",
        .doc = "An interface where two regions touch: their faces are tied by springs that open, slide and crack by the "
-              "law.",
-       .keys = {key("between", Type::names, "the two regions").need(), law_key("")},
+              "law. Meshes need not match there: faces that lie on each other are joined over the area that they share. "
+              "`ashlar check` shows that area, the gaps, and what found no partner.",
+       .keys = {key("between", Type::names, "the two regions").need(), law_key(""),
+                number("tolerance", dimension::length, range::positive,
+                       "largest gap or overlap across which faces of meshes that do not match are joined; a millionth "
+                       "of the model's size unless given")},
        .example =
            R"(joint "dam_base" { between = { "dam", "rock" }, law = "brittle", tensile_strength = 0.5*MPa, cohesion = 1*MPa, friction = 42*deg })",
        .laws = Laws::interface},

@@ -70,21 +70,27 @@ class Assembly {
   void add_springs() {
     const ContactPoints& contacts = problem_.contacts;
     const std::vector<int>& renumber = problem_.discretisation.blocks.new_node;
+    std::vector<int> nodes;
+    std::vector<double> weights;
     for (int c = 0; c < contacts.count(); ++c) {
-      const int nodes[2] = {renumber[contacts.node_a[c]], renumber[contacts.node_b[c]]};
-      const double sign[2] = {-1, 1};
-      if (nodes[0] == nodes[1] || rigid(nodes)) continue;
+      nodes.clear();
+      weights.clear();
+      contacts.each_end(c, [&](int node, double weight) {
+        nodes.push_back(renumber[node]);
+        weights.push_back(weight);
+      });
+      if (contacts.is_tip(c) || rigid(nodes)) continue;
       const Vec3<double>& n = contacts.normal[c];
-      for (int i = 0; i < 2; ++i)
+      for (std::size_t i = 0; i < nodes.size(); ++i)
         for (int k = 0; k < rigid_modes; ++k) {
-          const Vec3<double> gap = sign[i] * mode(nodes[i], k);
+          const Vec3<double> gap = weights[i] * mode(nodes[i], k);
           const double along = dot(gap, n);
           const Vec3<double> pull = contacts.area[c] * (contacts.shear_stiffness[c] * (gap - along * n) +
                                                         contacts.normal_stiffness[c] * along * n);
-          for (int j = 0; j < 2; ++j)
+          for (std::size_t j = 0; j < nodes.size(); ++j)
             for (int l = 0; l < rigid_modes; ++l)
               block(aggregates_.aggregate[nodes[i]], aggregates_.aggregate[nodes[j]])[rigid_modes * k + l] +=
-                  sign[j] * dot(mode(nodes[j], l), pull);
+                  weights[j] * dot(mode(nodes[j], l), pull);
         }
     }
   }

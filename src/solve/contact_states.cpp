@@ -19,13 +19,15 @@ std::vector<ContactPoint> ContactReader::read() const {
   for (int i = 0; i < c.count(); ++i) {
     ContactPoint& point = points[i];
     const auto& law = laws_[c.interface[i]];
-    const double* a = u.data() + 3 * renumber[c.node_a[i]];
-    const double* b = u.data() + 3 * renumber[c.node_b[i]];
+    Vec3<double> gap;
+    c.each_end(i, [&](int node, double weight) {
+      const double* at = u.data() + 3 * renumber[node];
+      gap = gap + weight * Vec3<double>{at[0], at[1], at[2]};
+    });
     point.state = static_cast<ContactState>(static_cast<int>(state[i]));
     point.bonded = law.holds(point.state);
-    point.gap = split(Vec3<double>{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, c.normal[i]);
-    const auto stretch =
-        split(Vec3<double>{b[0] - a[0], b[1] - a[1], b[2] - a[2]} + c.initial_gap(i), c.normal[i]);
+    point.gap = split(gap, c.normal[i]);
+    const auto stretch = split(gap + c.initial_gap(i), c.normal[i]);
     point.closed = stretch.normal <= 0;
     const auto answer = spring_traction(point.bonded, law.tan_friction,
                                         SpringStiffness<double>{c.normal_stiffness[i], c.shear_stiffness[i]}, stretch,

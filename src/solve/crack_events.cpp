@@ -34,7 +34,7 @@ CrackEvent CrackEvents::break_worst_group(double load_factor) {
 
   CrackEvent event;
   event.load_factor = load_factor;
-  event.place = problem_.discretisation.block_points[problem_.discretisation.blocks.new_node[contacts.node_a[worst]]];
+  event.place = problem_.place_of_contact(worst);
   for (int i = 0; i < 3; ++i) event.place[i] += 0.0;  // meshes write -0
   event.interface = problem_.model.interfaces[contacts.interface[worst]].name;
   event.mode = state[worst] == static_cast<double>(ContactState::cracked_in_tension) ? "tension" : "shear";

@@ -271,7 +271,7 @@ class Motion {
     CrackEvent event;
     for (int c = 0; c < contacts.count(); ++c) {
       if (state[c] == state_[c] || event.contact_points++ > 0) continue;
-      event.place = problem_.discretisation.block_points[problem_.discretisation.blocks.new_node[contacts.node_a[c]]];
+      event.place = problem_.place_of_contact(c);
       for (int i = 0; i < 3; ++i) event.place[i] += 0.0;  // meshes write -0
       event.interface = problem_.model.interfaces[contacts.interface[c]].name;
       event.mode = state[c] == static_cast<double>(ContactState::cracked_in_tension) ? "tension" : "shear";
@@ -310,10 +310,9 @@ StableStep stable_step(const Problem& problem, double stiffness_damping) {
   const std::vector<int>& renumber = problem.discretisation.blocks.new_node;
   std::vector<double> springs(mass.size());
   for (int c = 0; c < contacts.count(); ++c) {
-    if (contacts.node_a[c] == contacts.node_b[c]) continue;  // the tip of a joint: no relative displacement
+    if (contacts.is_tip(c)) continue;
     const double k = contacts.area[c] * std::max(contacts.normal_stiffness[c], contacts.shear_stiffness[c]);
-    springs[renumber[contacts.node_a[c]]] += k;
-    springs[renumber[contacts.node_b[c]]] += k;
+    contacts.each_end(c, [&](int node, double weight) { springs[renumber[node]] += k * std::abs(weight); });
   }
   double blocks = 0, between = 0;  // squares of frequencies over 4, 1/s^2
   for (std::size_t n = 0; n < mass.size(); ++n) {

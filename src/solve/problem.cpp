@@ -41,6 +41,16 @@ Setup Problem::setup() const {
   return setup;
 }
 
+Vec3<double> Problem::place_of_contact(int contact) const {
+  if (contact < contacts.pair_count())
+    return discretisation.block_points[discretisation.blocks.new_node[contacts.node_a[contact]]];
+  Vec3<double> place;
+  contacts.each_end(contact, [&](int node, double weight) {
+    if (weight < 0) place = place - weight * model.mesh.points[blocks.mesh_node[node]];
+  });
+  return place;
+}
+
 std::vector<double> Problem::to_machine(const std::vector<double>& block_order, int width) const {
   std::vector<double> machine(block_order.size());
   const std::vector<int>& new_node = discretisation.blocks.new_node;

@@ -29,6 +29,9 @@ struct Problem {
   /// `model` has its mesh and outlives the problem. Throws DeckError.
   Problem(const Model& model, const RunOptions& options);
 
+  /// Where a contact point lies on its side a, m.
+  Vec3<double> place_of_contact(int contact) const;
+
   /// What any machine's backend is built from.
   Setup setup() const;
 

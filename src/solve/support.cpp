@@ -91,7 +91,8 @@ std::vector<FreeBody> free_bodies(const Problem& problem, const std::vector<Cont
   };
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (!contacts[c].joined()) continue;
-    const int a = find(block_of_node[problem.contacts.node_a[c]]), b = find(block_of_node[problem.contacts.node_b[c]]);
+    const InterfaceFace& face = blocks.faces[problem.contacts.face[c]];
+    const int a = find(blocks.block_of_element[face.a.element]), b = find(blocks.block_of_element[face.b.element]);
     body[std::max(a, b)] = std::min(a, b);
   }
 

@@ -1,6 +1,7 @@
 #include "solve/virtual_mass.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "solve/relaxation.hpp"
@@ -49,12 +50,12 @@ void set_virtual_mass(const Problem& problem, Backend& backend, const Relaxation
   const std::vector<int>& renumber = problem.discretisation.blocks.new_node;
   Components components(nodes);
   const bool grouped = relaxation.damping != Damping::local;
-  for (int c = 0; grouped && c < contacts.count(); ++c)
+  for (int c = 0; grouped && c < contacts.pair_count(); ++c)
     if (laws[contacts.interface[c]].holds(static_cast<ContactState>(state[c])))
       components.join(renumber[contacts.node_a[c]], renumber[contacts.node_b[c]]);
 
   std::vector<double> springs(nodes), between(nodes);  // S of all springs, and of those to other groups
-  for (int c = 0; c < contacts.count(); ++c) {
+  for (int c = 0; c < contacts.pair_count(); ++c) {
     const int a = renumber[contacts.node_a[c]], b = renumber[contacts.node_b[c]];
     if (a == b) continue;  // the tip of a joint: no relative displacement
     const double s = 2 * contacts.area[c] * std::max(contacts.normal_stiffness[c], contacts.shear_stiffness[c]);
@@ -62,6 +63,15 @@ void set_virtual_mass(const Problem& problem, Backend& backend, const Relaxation
       springs[n] += s;
       if (components.root(a) != components.root(b)) between[n] += s;
     }
+  }
+
+  // The row sum of a spring between many nodes is its stiffness times a node's weight times the sum of all weights, 2.
+  for (int c = contacts.pair_count(); c < contacts.count(); ++c) {
+    const double s = 2 * contacts.area[c] * std::max(contacts.normal_stiffness[c], contacts.shear_stiffness[c]);
+    contacts.each_end(c, [&](int node, double weight) {
+      springs[renumber[node]] += s * std::abs(weight);
+      between[renumber[node]] += s * std::abs(weight);
+    });
   }
 
   std::vector<std::vector<int>> members(nodes);

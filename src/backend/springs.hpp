@@ -1,0 +1,166 @@
+#pragma once
+#include <vector>
+
+#include "backend/backend.hpp"
+#include "kernels/spring_view.hpp"
+
+namespace ashlar {
+
+/// Which contact points touch which block nodes, contact points ascending.
+struct ContactsOfNodes {
+  std::vector<int> node, first{0}, contact;
+  std::vector<double> weight;
+
+  explicit ContactsOfNodes(int nodes) : contacts_(nodes) {}
+  void add(int block_node, int entry, double entry_weight = 0) {
+    contacts_[block_node].push_back({entry, entry_weight});
+  }
+  void finish() {
+    for (int n = 0; n < static_cast<int>(contacts_.size()); ++n) {
+      if (contacts_[n].empty()) continue;
+      node.push_back(n);
+      for (const Entry& e : contacts_[n]) {
+        contact.push_back(e.contact);
+        weight.push_back(e.weight);
+      }
+      first.push_back(static_cast<int>(contact.size()));
+    }
+    contacts_ = {};
+  }
+
+ private:
+  struct Entry {
+    int contact;
+    double weight;
+  };
+  std::vector<std::vector<Entry>> contacts_;
+};
+
+/// Springs in a machine's memory, block nodes renumbered. Arrays hold node pairs first, then the points of overlaps.
+template <class Exec, class Real>
+class Springs {
+ public:
+  Springs(const Setup& setup) {
+    const ContactPoints& c = setup.contacts;
+    const std::vector<int>& renumber = setup.discretisation.blocks.new_node;
+    const int n = c.count(), pairs = c.pair_count();
+    std::vector<Real> normal(3 * n), initial_gap(c.initial_traction.empty() ? 0 : 3 * n);
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k < 3; ++k) normal[3 * i + k] = Real(c.normal[i][k]);
+      for (int k = 0; k < 3 && !initial_gap.empty(); ++k) initial_gap[3 * i + k] = Real(c.initial_gap(i)[k]);
+    }
+    std::vector<SpringLaw<Real>> laws;
+    for (const auto& law : setup.interface_laws) laws.push_back(law.template as<Real>());
+    normal_.assign(normal);
+    initial_gap_.assign(initial_gap);
+    area_.assign(real(c.area));
+    normal_stiffness_.assign(real(c.normal_stiffness));
+    shear_stiffness_.assign(real(c.shear_stiffness));
+    interface_.assign(c.interface);
+    laws_.assign(laws);
+    full_laws_ = setup.interface_laws;
+    state.resize(n);
+    slip.resize(3 * n);
+    force_.resize(3 * n);
+    utilisation.resize(n);
+
+    const int nodes = setup.discretisation.blocks.node_count;
+    std::vector<int> a(pairs), b(pairs);
+    ContactsOfNodes of_pairs(nodes);
+    for (int i = 0; i < pairs; ++i) {
+      a[i] = renumber[c.node_a[i]];
+      b[i] = renumber[c.node_b[i]];
+      of_pairs.add(a[i], i);
+      of_pairs.add(b[i], -1 - i);
+    }
+    of_pairs.finish();
+    node_a_.assign(a);
+    node_b_.assign(b);
+    node_.assign(of_pairs.node);
+    node_first_.assign(of_pairs.first);
+    node_contact_.assign(of_pairs.contact);
+    pairs_ = {.contact_count = pairs,
+              .node_count = static_cast<int>(of_pairs.node.size()),
+              .node_a = node_a_.data(),
+              .node_b = node_b_.data(),
+              .normal = normal_.data(),
+              .area = area_.data(),
+              .normal_stiffness = normal_stiffness_.data(),
+              .shear_stiffness = shear_stiffness_.data(),
+              .initial_gap = initial_gap.empty() ? nullptr : initial_gap_.data(),
+              .interface = interface_.data(),
+              .laws = laws_.data(),
+              .state = state.data(),
+              .slip = slip.data(),
+              .force = force_.data(),
+              .node = node_.data(),
+              .node_first = node_first_.data(),
+              .node_contact = node_contact_.data()};
+    if (pairs < n) set_overlaps(c, renumber, nodes);
+  }
+  const SpringView<Real>& pairs() const { return pairs_; }
+  const OverlapView<Real>& overlaps() const { return overlaps_; }
+  void weaken(double factor) {
+    std::vector<SpringLaw<Real>> laws;
+    for (const auto& law : full_laws_) laws.push_back(law.weakened(factor).template as<Real>());
+    laws_.upload(laws);
+  }
+
+ private:
+  template <class T>
+  using Array = typename Exec::template Array<T>;
+  static std::vector<Real> real(const std::vector<double>& values) { return {values.begin(), values.end()}; }
+
+  void set_overlaps(const ContactPoints& c, const std::vector<int>& renumber, int nodes) {
+    const int pairs = c.pair_count();
+    std::vector<int> end_node;
+    for (const int n : c.end_node) end_node.push_back(renumber[n]);
+    ContactsOfNodes of_overlaps(nodes);
+    for (int i = 0; i < c.count() - pairs; ++i)
+      for (int j = c.first_end[i]; j < c.first_end[i + 1]; ++j) of_overlaps.add(end_node[j], i, c.end_weight[j]);
+    of_overlaps.finish();
+    first_end_.assign(c.first_end);
+    end_node_.assign(end_node);
+    end_weight_.assign(real(c.end_weight));
+    overlap_node_.assign(of_overlaps.node);
+    overlap_first_.assign(of_overlaps.first);
+    overlap_contact_.assign(of_overlaps.contact);
+    overlap_weight_.assign(real(of_overlaps.weight));
+
+    static_cast<SpringView<Real>&>(overlaps_) = pairs_;
+    overlaps_.contact_count = c.count() - pairs;
+    overlaps_.node_a = overlaps_.node_b = nullptr;
+    overlaps_.normal += 3 * pairs;
+    overlaps_.area += pairs;
+    overlaps_.normal_stiffness += pairs;
+    overlaps_.shear_stiffness += pairs;
+    if (overlaps_.initial_gap) overlaps_.initial_gap += 3 * pairs;
+    overlaps_.interface += pairs;
+    overlaps_.state += pairs;
+    overlaps_.slip += 3 * pairs;
+    overlaps_.force += 3 * pairs;
+    overlaps_.node_count = static_cast<int>(of_overlaps.node.size());
+    overlaps_.node = overlap_node_.data();
+    overlaps_.node_first = overlap_first_.data();
+    overlaps_.node_contact = overlap_contact_.data();
+    overlaps_.node_weight = overlap_weight_.data();
+    overlaps_.first_end = first_end_.data();
+    overlaps_.end_node = end_node_.data();
+    overlaps_.end_weight = end_weight_.data();
+  }
+
+  Array<int> node_a_, node_b_, interface_, node_, node_first_, node_contact_;
+  Array<int> first_end_, end_node_, overlap_node_, overlap_first_, overlap_contact_;
+  Array<Real> normal_, initial_gap_, area_, normal_stiffness_, shear_stiffness_, force_;
+  Array<Real> end_weight_, overlap_weight_;
+  Array<SpringLaw<Real>> laws_;
+  std::vector<SpringLaw<double>> full_laws_;
+  SpringView<Real> pairs_;
+  OverlapView<Real> overlaps_;
+
+ public:
+  Array<ContactState> state;
+  Array<Real> slip, utilisation;
+};
+
+}  // namespace ashlar
