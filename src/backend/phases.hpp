@@ -267,7 +267,8 @@ class Phases final : public Backend {
   void each_contact(KernelOf kernel_of) {
     const int pairs = springs_.pairs().contact_count;
     exec_.for_each(pairs, kernel_of(springs_.pairs(), 0));
-    if (pairs < contact_count()) exec_.for_each(springs_.overlaps().contact_count, kernel_of(springs_.overlaps(), pairs));
+    if (pairs < contact_count())
+      exec_.for_each(springs_.overlaps().contact_count, kernel_of(springs_.overlaps(), pairs));
   }
 
   void set_damping(const Controls& c) {
@@ -377,9 +378,7 @@ class Phases final : public Backend {
   void gather_boundary(Real* sum) {
     exec_.for_each(discretisation_.blocks.boundary_count(), GatherBoundary<Real, 3>{body_.nodes, body_.partial, sum});
   }
-  void spring_force() {
-    add_spring_force(springs_.pairs(), springs_.overlaps(), body_.u, body_.force);
-  }
+  void spring_force() { add_spring_force(springs_.pairs(), springs_.overlaps(), body_.u, body_.force); }
   void add_spring_force(const SpringView<Real>& pairs, const OverlapView<Real>& overlaps, const Summed<Real>& u,
                         Real* force) {
     exec_.for_each(pairs.contact_count, SpringForce<Real>{pairs, u});

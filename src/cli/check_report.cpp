@@ -116,6 +116,18 @@ std::vector<ContactSum> sum_contacts(const Model& model, const Blocks& blocks, c
   return sums;
 }
 
+/// Faces meshed apart: what a joint made of them.
+void describe_match(Page& page, const JointMatch& match) {
+  page.line("contacts", text("  meshed apart: %s of faces, gaps up to %.2g m, overlaps up to %.2g m",
+                             counted(match.joined, "pair").c_str(), match.largest_gap, match.largest_overlap));
+  if (match.partly_covered) page.line("contacts", "  " + counted(match.partly_covered, "face") + " covered in part");
+  if (match.too_far)
+    page.line("contacts",
+              "  " + counted(match.too_far, "face") +
+                  text(" left free beyond the tolerance, the nearest %s %.3g m",
+                       match.too_far_by > 0 ? "across a gap of" : "overlapping by", std::abs(match.too_far_by)));
+}
+
 void describe_contacts(Page& page, const Model& model, const Blocks& blocks, const std::vector<ContactSum>& sums) {
   if (model.interfaces.empty()) return;
   page.line("blocks", counted(blocks.block_count, "block") + ", " + counted(blocks.node_count(), "block node"));
@@ -126,6 +138,7 @@ void describe_contacts(Page& page, const Model& model, const Blocks& blocks, con
     page.line("contacts",
               text("%s %s (%s): %s, %.6g m^2, %s", noun.c_str(), interface.name.c_str(), interface.law.c_str(),
                    counted(sum.faces, "face").c_str(), sum.area, counted(sum.points, "contact point").c_str()));
+    if (const JointMatch& match = blocks.matches[i]; match.joined) describe_match(page, match);
     if (sum.points)
       page.line("contacts",
                 text("  normal stiffness %.3g to %.3g Pa/m: across its faces the elements are about %.2g %% too soft",

@@ -97,7 +97,8 @@ Grid face_grid(const Mesh& mesh, const Blocks& blocks, const ContactPoints& cont
   Grid grid;
   for (int i = 0; i < contacts.count(); ++i) {
     const bool pair = i < contacts.pair_count();
-    const auto& p = pair ? mesh.points[blocks.mesh_node[contacts.node_a[i]]] : contacts.corner[i - contacts.pair_count()];
+    const auto& p =
+        pair ? mesh.points[blocks.mesh_node[contacts.node_a[i]]] : contacts.corner[i - contacts.pair_count()];
     grid.points.insert(grid.points.end(), {p.x, p.y, p.z});
     grid.connectivity.push_back(i);
   }
@@ -127,8 +128,9 @@ GridFile make_interfaces(const std::string& folder, const std::string& program, 
   for (std::size_t cell = 0; cell + 1 < cells.size(); ++cell) numbers.push_back(contacts.interface[cells[cell]]);
   return GridFile(
       folder, "interfaces", face_grid(model.mesh, blocks, contacts, cells),
-      attributes_of(program, model,
-                    "cells: coincident faces, then triangles of overlaps; points: their contact points, cell after cell"),
+      attributes_of(
+          program, model,
+          "cells: coincident faces, then triangles of overlaps; points: their contact points, cell after cell"),
       {{interface, numbers}}, interface_arrays(recorded_names(model)));
 }
 

@@ -43,7 +43,9 @@ struct SpringView {
     return moved + Vec3<Real>{initial_gap[3 * c], initial_gap[3 * c + 1], initial_gap[3 * c + 2]};
   }
   /// Traction of contact c at displacement u, and the slip that goes with it.
-  ASHLAR_HD SpringAnswer<Real> answer(const Summed<Real>& u, int c) const { return answer_to(stretch(gap(u, c), c), c); }
+  ASHLAR_HD SpringAnswer<Real> answer(const Summed<Real>& u, int c) const {
+    return answer_to(stretch(gap(u, c), c), c);
+  }
 
  protected:
   ASHLAR_HD SpringAnswer<Real> answer_to(const Vec3<Real>& stretched, int c) const {
@@ -56,9 +58,9 @@ struct SpringView {
 /// The contact points of overlaps: every array of theirs from its first. What differs is between which nodes they are.
 template <class Real>
 struct OverlapView : SpringView<Real> {
-  const int* first_end = nullptr;   ///< [overlap points + 1] into end_node
-  const int* end_node = nullptr;    ///< block nodes, side a first
-  const Real* end_weight = nullptr; ///< shape functions, side a negative; they sum to zero
+  const int* first_end = nullptr;    ///< [overlap points + 1] into end_node
+  const int* end_node = nullptr;     ///< block nodes, side a first
+  const Real* end_weight = nullptr;  ///< shape functions, side a negative; they sum to zero
 
   /// Overlap points of a node: entries node_first[i] .. node_first[i+1]-1 of node_contact, which holds the points.
   const Real* node_weight = nullptr;  ///< beside node_contact: weight of the node in the point's gap

@@ -133,15 +133,14 @@ std::string why_apart(const Mesh& mesh, const std::vector<std::string>& regions)
   for (int i = 0; i < 3; ++i)
     if (const double gap = std::max(low[0][i] - high[1][i], low[1][i] - high[0][i]);
         gap > 1e-9 * (high[0][i] - low[0][i]))
-      return "a gap of " + number_text(gap) + " m along " + "xyz"[i] +
-             " lies between them; let them touch, or give tolerance = " + number_text(gap * 1.01) + "*m to join them";
+      return "a gap of " + number_text(gap) + " m along " + "xyz"[i] + " lies between them; let them touch";
   return "none of their faces look at each other from near";
 }
 
 /// Of facets that were found, but beyond the tolerance.
 std::string why_too_far(const JointMatch& match) {
   const double distance = std::abs(match.too_far_by);
-  return std::to_string(match.too_far) + " faces look at each other, the nearest " +
+  return std::string("faces look at each other, the nearest ") +
          (match.too_far_by > 0 ? "across a gap of " : "overlapping by ") + number_text(distance) +
          " m; let them touch, or give tolerance = " + number_text(distance * 1.01) + "*m or more to join them";
 }
@@ -193,9 +192,7 @@ Blocks split_blocks(const Model& model, const FaceGraph& graph) {
         for (const int n : mesh.facet_nodes(side)) touches_interface[n] = 1;
     }
   std::stable_sort(blocks.faces.begin(), blocks.faces.begin() + blocks.coincident_count(),
-                   [](const InterfaceFace& p, const InterfaceFace& q) {
-                     return before(p.a, q.a);
-                   });
+                   [](const InterfaceFace& p, const InterfaceFace& q) { return before(p.a, q.a); });
   blocks.matches = std::move(facing.matches);
   refuse_joints_without_faces(model, blocks);
 

@@ -40,11 +40,11 @@ Blocks split_blocks(const Model& model, const FaceGraph& faces);
 /// coincident face, then those of overlaps: three to every triangle that an overlap is cut into, each between several
 /// nodes of both facets.
 struct ContactPoints {
-  std::vector<int> node_a, node_b;               ///< [pairs] block nodes (before renumbering)
-  std::vector<int> first_end{0};                 ///< [overlap points + 1] into end_node
-  std::vector<int> end_node;                     ///< block nodes of a point, side a first
-  std::vector<double> end_weight;                ///< gap = sum of weight times displacement: shape functions, side a negative
-  std::vector<Vec3<double>> corner;              ///< [overlap points] of the triangle, that the point leans to, m
+  std::vector<int> node_a, node_b;   ///< [pairs] block nodes (before renumbering)
+  std::vector<int> first_end{0};     ///< [overlap points + 1] into end_node
+  std::vector<int> end_node;         ///< block nodes of a point, side a first
+  std::vector<double> end_weight;    ///< gap = sum of weight times displacement: shape functions, side a negative
+  std::vector<Vec3<double>> corner;  ///< [overlap points] of the triangle, that the point leans to, m
   std::vector<int> face;                         ///< index into Blocks::faces
   std::vector<int> interface;                    ///< index into Model::interfaces
   std::vector<Vec3<double>> normal;              ///< unit, from a to b: mean normal of face a
@@ -63,7 +63,8 @@ struct ContactPoints {
       visit(node_b[c], 1.0);
       return;
     }
-    for (int i = first_end[c - pair_count()]; i < first_end[c - pair_count() + 1]; ++i) visit(end_node[i], end_weight[i]);
+    for (int i = first_end[c - pair_count()]; i < first_end[c - pair_count() + 1]; ++i)
+      visit(end_node[i], end_weight[i]);
   }
   /// What the traction of the initial stress stretches a spring by, m; zero without.
   Vec3<double> initial_gap(int c) const;

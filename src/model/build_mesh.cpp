@@ -173,8 +173,9 @@ class Assembly {
   void add_surfaces() {
     auto faces = find_faces(mesh_);
     // Faces that a joint brings together lie inside the body, like those that share their nodes.
-    const std::vector<Facet> covered = find_facing(model_, faces).covered;
-    std::erase_if(faces.outer, [&](const Facet& f) { return std::binary_search(covered.begin(), covered.end(), f, before); });
+    const std::vector<CoveredFace> covered = find_facing(model_, faces).covered;
+    std::erase_if(faces.outer,
+                  [&](const Facet& f) { return std::ranges::binary_search(covered, f, before, &CoveredFace::facet); });
     for (std::size_t region = 0; region < names_.size(); ++region)
       for (auto& side : region_sides(mesh_, faces, static_cast<int>(region))) mesh_.surfaces.push_back(std::move(side));
     std::vector<std::string> lines;
@@ -184,7 +185,7 @@ class Assembly {
                           "surface '" + choice.name +
                               "': there is a surface of this name already, from a mesh file or an earlier " +
                               "declaration; choose another name");
-        mesh_.surfaces.push_back({choice.name, select_surface(mesh_, faces, choice, model_.interfaces)});
+        mesh_.surfaces.push_back({choice.name, select_surface(mesh_, faces, choice, model_.interfaces, covered)});
       } catch (const DeckError& error) {
         lines.insert(lines.end(), error.lines().begin(), error.lines().end());
       }

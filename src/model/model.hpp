@@ -110,7 +110,8 @@ struct Interface {
   std::vector<std::string> regions;           ///< joint: exactly two; crackable: one or more
   std::string law;                            ///< physics/interface_laws
   std::map<std::string, double> values;
-  double tolerance = 0;                       ///< joint: distance up to which facets meshed apart are joined, m; 0: a millionth of the model's size
+  double tolerance =
+      0;  ///< joint: distance up to which facets meshed apart are joined, m; 0: a millionth of the model's size
 };
 
 // ---------------------------------------------------------------- initial stress

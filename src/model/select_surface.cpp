@@ -56,8 +56,8 @@ std::vector<Facet> without_repeats(const std::vector<Facet>& facets) {
 class Selection {
  public:
   Selection(const Mesh& mesh, const FaceGraph& faces, const SurfaceChoice& choice,
-            std::span<const Interface> interfaces)
-      : mesh_(mesh), faces_(faces), choice_(choice), interfaces_(interfaces), size_(mesh.extent()) {}
+            std::span<const Interface> interfaces, std::span<const CoveredFace> covered)
+      : mesh_(mesh), faces_(faces), choice_(choice), interfaces_(interfaces), covered_(covered), size_(mesh.extent()) {}
 
   std::vector<Facet> run() {
     find_regions();
@@ -114,6 +114,8 @@ class Selection {
       if (listed(a)) facets_.push_back(a);
       if (listed(b)) facets_.push_back(b);
     }
+    for (const CoveredFace& face : covered_)
+      if (interfaces_[face.interface].name == choice_.joint && listed(face.facet)) facets_.push_back(face.facet);
   }
 
   void take_candidates() {
@@ -278,6 +280,7 @@ class Selection {
   const FaceGraph& faces_;
   const SurfaceChoice& choice_;
   std::span<const Interface> interfaces_;
+  std::span<const CoveredFace> covered_;
   double size_;
   std::vector<char> listed_;  ///< by region
   std::vector<Facet> facets_;
@@ -286,8 +289,8 @@ class Selection {
 }  // namespace
 
 std::vector<Facet> select_surface(const Mesh& mesh, const FaceGraph& faces, const SurfaceChoice& choice,
-                                  std::span<const Interface> interfaces) {
-  return Selection(mesh, faces, choice, interfaces).run();
+                                  std::span<const Interface> interfaces, std::span<const CoveredFace> covered) {
+  return Selection(mesh, faces, choice, interfaces, covered).run();
 }
 
 std::vector<Surface> region_sides(const Mesh& mesh, const FaceGraph& faces, int region) {

@@ -267,9 +267,10 @@ const std::vector<NounRule>& nouns() {
            R"(material "concrete" { region = "dam", density = 2400*kg/m^3, young = 30*GPa, poisson = 0.2, expansion = 9e-6/K })",
        .laws = Laws::material},
       {.name = "joint",
-       .doc = "An interface where two regions touch: their faces are tied by springs that open, slide and crack by the "
-              "law. Meshes need not match there: faces that lie on each other are joined over the area that they share. "
-              "`ashlar check` shows that area, the gaps, and what found no partner.",
+       .doc =
+           "An interface where two regions touch: their faces are tied by springs that open, slide and crack by the "
+           "law. Meshes need not match there: faces that lie on each other are joined over the area that they share. "
+           "`ashlar check` shows that area, the gaps, and what found no partner.",
        .keys = {key("between", Type::names, "the two regions").need(), law_key(""),
                 number("tolerance", dimension::length, range::positive,
                        "largest gap or overlap across which faces of meshes that do not match are joined; a millionth "
@@ -457,9 +458,10 @@ const std::vector<NounRule>& nouns() {
        .naming = Naming::none,
        .doc = "Equilibrium by dynamic relaxation. What the stage changes (loads, supports, displacements, temperature) "
               "comes in increments where plastic flow or cracking of blocks depends on the path.",
-       .keys = Keys{key("increments", Type::integer,
-                        "equal parts in which the change comes; 20 with a material that remembers, else 1, unless given")} +
-               relaxation_keys(),
+       .keys =
+           Keys{key("increments", Type::integer,
+                    "equal parts in which the change comes; 20 with a material that remembers, else 1, unless given")} +
+           relaxation_keys(),
        .example = R"(stage "gravity" { solve = static { tolerance = 1e-6 } })"},
       {.name = "thermal",
        .kind = NounKind::solve,
@@ -488,10 +490,11 @@ const std::vector<NounRule>& nouns() {
       {.name = "strength_reduction",
        .kind = NounKind::solve,
        .naming = Naming::none,
-       .doc = "The safety factor: by what the strength of all materials and interfaces (cohesion, tan(friction), tensile "
-              "strength) can be divided until no equilibrium is found under the loads that act (in 20 000 steps, or "
-              "max_steps), by halving the interval. Results show the last state that stands; later stages go on from "
-              "before it, with full strength.",
+       .doc =
+           "The safety factor: by what the strength of all materials and interfaces (cohesion, tan(friction), tensile "
+           "strength) can be divided until no equilibrium is found under the loads that act (in 20 000 steps, or "
+           "max_steps), by halving the interval. Results show the last state that stands; later stages go on from "
+           "before it, with full strength.",
        .keys = Keys{key("between", Type::interval, "{ lowest, highest } factor to look between; { 1, 4 } unless given"),
                     number("width", dimension::none, Range{1e-4, 1}, "of the interval at the end").otherwise(0.01)} +
                relaxation_keys(),
@@ -526,7 +529,9 @@ const std::vector<NounRule>& nouns() {
            R"(stage "release" { solve = dynamic { duration = 2*s, mass_damping = 0.5/s, record_every = 0.01*s } })"},
       {.name = "stage",
        .doc = "One step of the model's life. Stages continue from each other, in the deck's order.",
-       .keys = {key("solve", Type::solve, "static {...}, thermal {...}, fracture {...}, dynamic {...} or strength_reduction {...}").need(),
+       .keys = {key("solve", Type::solve,
+                    "static {...}, thermal {...}, fracture {...}, dynamic {...} or strength_reduction {...}")
+                    .need(),
                 key("apply", Type::conditions,
                     "conditions that act from this stage on: a list of calls such as convection {...}. One replaces an "
                     "earlier one of its noun on the same surface"),

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -14,7 +15,7 @@
 namespace ashlar {
 namespace {
 
-enum class Blocks { continuous, mixed, plastic, breaking, jointed, exploded, cracked };
+enum class Blocks { continuous, mixed, plastic, breaking, jointed, unmatched, exploded, cracked };
 
 Condition condition(const char* noun, const char* surface, Condition::Kind kind) {
   Condition c;
@@ -44,12 +45,44 @@ Mesh cut_into_wedges(const Mesh& hexahedra) {
   return m;
 }
 
-/// Dam D0 with gravity and water; as one body, the same with materials that flow, crack or have joints, or as one block an
-/// element with bonded or with sliding contacts.
+/// Concrete of one mesh on rock of another, surfaces of both; their nodes are their own.
+Mesh meshed_apart(const Mesh& concrete, const Mesh& rock) {
+  Mesh m;
+  m.region_names = {"rock", "concrete"};
+  for (const auto& [source, region] : {std::pair{&rock, "rock"}, {&concrete, "concrete"}}) {
+    std::vector<int> node(source->node_count(), -1), element(source->element_count(), -1);
+    for (int e = 0; e < source->element_count(); ++e) {
+      if (source->region_names[source->regions[e]] != region) continue;
+      std::vector<int> corners;
+      for (const int n : source->element(e)) {
+        if (node[n] < 0) {
+          node[n] = m.node_count();
+          m.points.push_back(source->points[n]);
+        }
+        corners.push_back(node[n]);
+      }
+      element[e] = m.element_count();
+      m.add_element(source->shapes[e], corners, m.find_region(region), element[e] + 1);
+    }
+    for (const Surface& surface : source->surfaces) {
+      auto at =
+          std::find_if(m.surfaces.begin(), m.surfaces.end(), [&](const Surface& s) { return s.name == surface.name; });
+      if (at == m.surfaces.end()) at = m.surfaces.insert(at, Surface{surface.name, {}});
+      for (const Facet& f : surface.facets)
+        if (element[f.element] >= 0) at->facets.push_back({element[f.element], f.face});
+    }
+  }
+  return m;
+}
+
+/// Dam D0 with gravity and water; as one body, the same with materials that flow, crack or have joints, on rock that
+/// was meshed apart, or as one block an element with bonded or with sliding contacts.
 Model dam(const char* file, Blocks blocks) {
   Model m;
   m.mesh = read_mesh(std::string(ASHLAR_TEST_DATA) + "/" + file, {});
   if (blocks == Blocks::mixed) m.mesh = cut_into_wedges(m.mesh);
+  if (blocks == Blocks::unmatched)
+    m.mesh = meshed_apart(m.mesh, read_mesh(std::string(ASHLAR_TEST_DATA) + "/dam_D0_r2_ny4.msh", {}));
   m.reference_temperature = 15;
   Material rock{"rock", {},  {"rock"}, "elastic",
                 2650,   3.0, 850.0,    {{"young", 30e9}, {"poisson", 0.25}, {"expansion", 8e-6}}};
@@ -83,11 +116,11 @@ Model dam(const char* file, Blocks blocks) {
   } else if (blocks != Blocks::continuous && blocks != Blocks::mixed) {
     Interface i;
     i.name = "all";
-    i.crackable = true;
+    i.crackable = blocks != Blocks::unmatched;
     i.regions = {"rock", "concrete"};
-    i.law = blocks == Blocks::exploded ? "brittle" : "frictional";
+    i.law = blocks == Blocks::cracked ? "frictional" : "brittle";
     i.values = {{"friction", 0.7}};
-    if (blocks == Blocks::exploded) {
+    if (blocks != Blocks::cracked) {
       i.values["tensile_strength"] = 1e6;
       i.values["cohesion"] = 2e6;
     }
@@ -315,13 +348,14 @@ TEST_P(Parity, AnNvidiaDeviceGivesTheSameBits) {
 std::string case_name(const testing::TestParamInfo<Parity::ParamType>& info) {
   const auto [precision, blocks, file] = info.param;
   std::string name = precision == Precision::double_precision ? "double" : "single";
-  name += blocks == Blocks::continuous ? "_continuous"
-          : blocks == Blocks::mixed    ? "_mixed"
-          : blocks == Blocks::plastic  ? "_plastic"
-          : blocks == Blocks::breaking ? "_breaking"
-          : blocks == Blocks::jointed  ? "_jointed"
-          : blocks == Blocks::exploded ? "_exploded"
-                                       : "_sliding";
+  name += blocks == Blocks::continuous  ? "_continuous"
+          : blocks == Blocks::mixed     ? "_mixed"
+          : blocks == Blocks::plastic   ? "_plastic"
+          : blocks == Blocks::breaking  ? "_breaking"
+          : blocks == Blocks::jointed   ? "_jointed"
+          : blocks == Blocks::unmatched ? "_unmatched"
+          : blocks == Blocks::exploded  ? "_exploded"
+                                        : "_sliding";
   name += std::string(file).find("r2") != std::string::npos ? "_r2" : "_r1";
   return name;
 }
@@ -334,7 +368,8 @@ INSTANTIATE_TEST_SUITE_P(DamD0, Parity,
 
 INSTANTIATE_TEST_SUITE_P(OtherD0, Parity,
                          testing::Combine(testing::Values(Precision::double_precision, Precision::single_precision),
-                                          testing::Values(Blocks::mixed, Blocks::plastic, Blocks::breaking, Blocks::jointed),
+                                          testing::Values(Blocks::mixed, Blocks::plastic, Blocks::breaking,
+                                                          Blocks::jointed, Blocks::unmatched),
                                           testing::Values("dam_D0_r1_ny2.msh")),
                          case_name);
 

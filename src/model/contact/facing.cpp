@@ -115,7 +115,7 @@ class JointSearch {
         const double share = s.covered / (s.size * s.size);
         if (share > 0 && share < whole) ++match_.partly_covered;
         if (s.too_far && share == 0) ++match_.too_far;
-        if (share > half) found_.covered.push_back(s.facet);
+        if (share > half) found_.covered.push_back({s.facet, interface_});
       }
   }
 
@@ -179,6 +179,7 @@ class JointSearch {
       match_.largest_gap = std::max(match_.largest_gap, here);
       match_.largest_overlap = std::max(match_.largest_overlap, -here);
     }
+    ++match_.joined;
     a.covered += area;
     b.covered += area;
     found_.faces.push_back({a.facet, b.facet, interface_, corners_meet(plane, a, b), std::move(overlap)});
@@ -215,8 +216,8 @@ Facing find_facing(const Model& model, const FaceGraph& graph) {
   std::sort(found.faces.begin(), found.faces.end(), [](const FacingFaces& p, const FacingFaces& q) {
     return p.a == q.a ? before(p.b, q.b) : before(p.a, q.a);
   });
-  std::sort(found.covered.begin(), found.covered.end(), before);
-  found.covered.erase(std::unique(found.covered.begin(), found.covered.end()), found.covered.end());
+  std::sort(found.covered.begin(), found.covered.end(),
+            [](const CoveredFace& p, const CoveredFace& q) { return before(p.facet, q.facet); });
   return found;
 }
 

@@ -22,8 +22,15 @@ struct FacingFaces {
   Overlap overlap;
 };
 
+/// A free face with more than half of its area joined.
+struct CoveredFace {
+  Facet facet;
+  int interface = -1;  ///< index into Model::interfaces
+};
+
 /// How the faces of one joint found each other.
 struct JointMatch {
+  long joined = 0;                              ///< pairs of faces meshed apart
   double largest_gap = 0, largest_overlap = 0;  ///< m, between facets that are joined
   long partly_covered = 0;                      ///< faces with less than 99.9 % of their area joined
   long too_far = 0;                             ///< faces that look at each other beyond the tolerance, not joined
@@ -31,9 +38,9 @@ struct JointMatch {
 };
 
 struct Facing {
-  std::vector<FacingFaces> faces;   ///< sorted by a, then b
-  std::vector<JointMatch> matches;  ///< [interfaces]; joints only
-  std::vector<Facet> covered;       ///< free faces with more than half of their area joined
+  std::vector<FacingFaces> faces;    ///< sorted by a, then b
+  std::vector<JointMatch> matches;   ///< [interfaces]; joints only
+  std::vector<CoveredFace> covered;  ///< sorted by facet
 };
 
 /// Looks at the free faces of both regions of every joint. Facets are joined that look against each other within 18

@@ -7,5 +7,4 @@ fix { surface = "left", x = 0, y = 0, z = 0 }
 box "top" { from = {0,0,1*m}, to = {4*m,1*m,2*m}, cells = {3,1,1} }
 material "soil" { region = "top", density = 2000*kg/m^3, young = 1*GPa, poisson = 0.2 }
 fix { surface = "top.left", x = 0, y = 0, z = 0 }
-joint "bed" { between = { "bar", "top" }, law = "frictional", friction = 35*deg }
 stage "rest" { solve = static {} }
