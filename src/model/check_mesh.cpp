@@ -194,7 +194,7 @@ class MeshCheck {
           if (joined_.contains(std::minmax(mesh_.regions[f.element], mesh_.regions[quad.element]))) continue;
           found.add(mesh_.regions[f.element], [&] {
             return name(f.element) + ": its triangle lies on a quad of " + name(quad.element) +
-                   "; join their regions by a joint, or give both the same elements (hex8 beside wedge6 fits along the "
+                   "; join them by a joint, or give both regions the same elements (hex8 beside wedge6 fits along the "
                    "sides "
                    "of a section only)";
           });
