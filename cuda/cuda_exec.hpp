@@ -36,7 +36,8 @@ __global__ void __launch_bounds__(chunk_items) sum_chunk(int n, const Terms term
     for (int k = 0; k < count; ++k) chunk_sums[blockIdx.x * count + k] = value[k][0];
 }
 
-/// Memory and loops of one NVIDIA device: launches go to one stream, in order.
+/// Memory and loops of one NVIDIA device: launches and copies go to the stream of the thread that made it and alone
+/// uses it, in order. Lanes are threads, so that neither waits for the other's stream, on one device or on two.
 class CudaExec {
  public:
   template <class T>
@@ -50,13 +51,10 @@ class CudaExec {
     name_ = properties.name;
     shared_bytes_ = properties.sharedMemPerBlockOptin;
     processors_ = properties.multiProcessorCount;
-    cudaStream_t stream = nullptr;
-    check(cudaStreamCreate(&stream), "make a stream");
-    stream_.reset(stream);
   }
   std::string name() const { return name_; }
   void select() const { check(cudaSetDevice(device_), "select device"); }
-  void finish() const { check(cudaStreamSynchronize(stream_.get()), "wait for the device"); }
+  void finish() const { check(cudaStreamSynchronize(cudaStreamPerThread), "wait for the device"); }
   template <class Real>
   void set_patches(const Discretisation& d) {
     blocks_ = std::make_unique<PatchLists>(d, d.blocks, most_patch_slots<Real>);
@@ -73,17 +71,17 @@ class CudaExec {
   std::array<double, count> sum(int n, const Terms& terms) {
     double* const first = sums(count, n);
     int chunks = chunk_count(n);
-    sum_chunk<count><<<chunks, chunk_items, 0, stream_.get()>>>(n, terms, first);
+    sum_chunk<count><<<chunks, chunk_items, 0, cudaStreamPerThread>>>(n, terms, first);
     double* last = first;
     while (chunks > 1) {
       double* const next = last + count * chunks;
-      sum_chunk<count><<<chunk_count(chunks), chunk_items, 0, stream_.get()>>>(chunks, ChunkTerms<count>{last}, next);
+      sum_chunk<count><<<chunk_count(chunks), chunk_items, 0, cudaStreamPerThread>>>(chunks, ChunkTerms<count>{last}, next);
       chunks = chunk_count(chunks);
       last = next;
     }
     check(cudaGetLastError(), "launch");
     std::array<double, count> total;
-    check(cudaMemcpyAsync(total.data(), last, sizeof total, cudaMemcpyDeviceToHost, stream_.get()), "copy sums");
+    check(cudaMemcpyAsync(total.data(), last, sizeof total, cudaMemcpyDeviceToHost, cudaStreamPerThread), "copy sums");
     finish();
     return total;
   }
@@ -135,17 +133,17 @@ class CudaExec {
   void repeat(const std::string& kind, int times, const Work& work) {
     for (Graph& g : graphs_)
       if (g.kind == kind && g.times == times && g.changes == MachineMemory::changes)
-        return check(cudaGraphLaunch(g.graph.get(), stream_.get()), "launch a graph");
+        return check(cudaGraphLaunch(g.graph.get(), cudaStreamPerThread), "launch a graph");
     std::erase_if(graphs_, [](const Graph& g) { return g.changes != MachineMemory::changes; });
-    check(cudaStreamBeginCapture(stream_.get(), cudaStreamCaptureModeThreadLocal), "capture");
+    check(cudaStreamBeginCapture(cudaStreamPerThread, cudaStreamCaptureModeThreadLocal), "capture");
     for (int i = 0; i < times; ++i) work();
     cudaGraph_t captured = nullptr;
-    check(cudaStreamEndCapture(stream_.get(), &captured), "end capture");
+    check(cudaStreamEndCapture(cudaStreamPerThread, &captured), "end capture");
     cudaGraphExec_t graph = nullptr;
     check(cudaGraphInstantiate(&graph, captured, 0), "make a graph");
     check(cudaGraphDestroy(captured), "drop a graph");
     graphs_.push_back({kind, times, MachineMemory::changes, {graph, cudaGraphExecDestroy}});
-    check(cudaGraphLaunch(graph, stream_.get()), "launch a graph");
+    check(cudaGraphLaunch(graph, cudaStreamPerThread), "launch a graph");
   }
 
  private:
@@ -174,7 +172,7 @@ class CudaExec {
     const std::size_t size = patch_bytes<typename Work::Real, Work::width>(entries);
     check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(size)),
           "ask for shared memory");
-    kernel<<<d.batches[b].patch_count, patch_threads, size, stream_.get()>>>(
+    kernel<<<d.batches[b].patch_count, patch_threads, size, cudaStreamPerThread>>>(
         work, lists.view(), d.batches[b].first_patch, processors_ * patch_groups_per_processor<typename Work::Real>,
         entries, step);
     check(cudaGetLastError(), "launch");
@@ -183,18 +181,14 @@ class CudaExec {
   void for_range(int first, int n, const Kernel& kernel) const {
     constexpr int group = 128;
     if (n <= 0) return;
-    run_kernel<<<(n + group - 1) / group, group, 0, stream_.get()>>>(first, n, kernel);
+    run_kernel<<<(n + group - 1) / group, group, 0, cudaStreamPerThread>>>(first, n, kernel);
     check(cudaGetLastError(), "launch");
   }
 
-  struct DropStream {
-    void operator()(cudaStream_t stream) const { cudaStreamDestroy(stream); }
-  };
   int device_;
   std::string name_;
   std::size_t shared_bytes_ = 0;
   int processors_ = 1;
-  std::unique_ptr<CUstream_st, DropStream> stream_;
   std::unique_ptr<PatchLists> blocks_, heat_;
   CudaArray<double> sums_;
   std::vector<Graph> graphs_;

@@ -157,6 +157,7 @@ struct Setup {
   std::vector<SpringLaw<double>> interface_laws{};  ///< [interfaces]
   std::vector<double> conductivity{};             ///< [materials] W/(m K); empty: no thermal stages
   double reference_temperature = 0;               ///< degC
+  bool heat_only = false;                         ///< nothing of the stress lane: no phase or field of it
 
   /// [batches + 1] Gauss points that remember: first of each batch, Gauss points in a batch as in Batch::gauss.
   std::vector<int> first_history() const;
@@ -199,6 +200,9 @@ class Backend {
   virtual std::size_t size(Field field) const = 0;
   virtual void write(Field field, std::span<const double> values) = 0;
   virtual void read(Field field, std::span<double> values) = 0;
+  /// Takes Field::temperature of another machine of the same model that has nothing left to do; machine to machine
+  /// where both are of a kind. Done when it returns.
+  virtual void take_temperature(Backend& from) = 0;
   /// Whether stress takes account of Field::warming. Off until a stage has a temperature.
   virtual void use_warming(bool on) = 0;
   /// Divides the strength of every law and interface, as it was at set-up, by `factor`.

@@ -51,6 +51,7 @@ class CpuExec {
     }
     void upload(const std::vector<T>& values) { std::copy(values.begin(), values.end(), values_.begin()); }
     void download(std::vector<T>& values) const { values = values_; }
+    void copy(const Array& other) { values_ = other.values_; }
     std::size_t size() const { return values_.size(); }
     T* data() { return values_.data(); }
 

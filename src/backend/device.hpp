@@ -14,6 +14,14 @@ struct DeviceChoice {
   enum Kind { cpu, cuda, automatic } kind = automatic;
   int index = 0;  ///< of an NVIDIA device
 };
+/// Where each lane of a run computes: `--devices`. Where none is given for heat, one device does both in turns.
+struct LaneChoice {
+  DeviceChoice stress;
+  std::optional<DeviceChoice> thermal;
+};
+/// "stress=cuda:0,thermal=cuda:1"; empty: another text.
+std::optional<LaneChoice> lane_choice(const std::string& text);
+
 /// "cpu", "cuda", "cuda:1" or "auto"; empty: another text.
 std::optional<DeviceChoice> device_choice(const std::string& text);
 

@@ -26,7 +26,7 @@
 #include "kernels/spring_force.hpp"
 
 /// Every phase once, for any machine. Exec brings memory and a parallel for:
-///   template <class T> using Array: resize(n), upload(span), download(span), data()
+///   template <class T> using Array: resize(n), upload(span), download(span), copy(array of this size), data()
 ///   void for_each(int n, kernel): kernel(i) for every i < n, in any order
 ///   block_forces(...): the machine's fastest driver of the element routine (see cpu_exec.hpp), same bits as BlockForce +
 ///   GatherPatch
@@ -52,6 +52,8 @@ class Phases final : public Backend {
         springs_(setup),
         heat_(setup) {
     const Discretisation& d = setup.discretisation;
+    exec_.template set_patches<Real>(d);
+    if (setup.heat_only) return;
     const std::size_t nodes = d.blocks.node_count;
     x_.assign(places_in_patches<Real>(d.blocks, d.block_points));
     for (auto* a : {&v_, &load_, &force_, &kept_force_}) a->resize(3 * nodes);
@@ -68,7 +70,6 @@ class Phases final : public Backend {
     history_.resize(remembered * std::size_t(first_history_.back()));
     groups_.group_count = static_cast<int>(nodes);
     damping_.assign({last_damping_});
-    exec_.template set_patches<Real>(d);
     body_ = {.nodes = blocks_.view(),
              .x = x_.data(),
              .u = u_.view(),
@@ -253,6 +254,13 @@ class Phases final : public Backend {
   }
   void read(Field field, std::span<double> values) override {
     visit_field(*this, field, [&](auto& array) { copy_out(array, values); });
+  }
+  void take_temperature(Backend& from) override {
+    if (auto* const same = dynamic_cast<Phases*>(&from))
+      heat_.temperature.copy(same->heat_.temperature);
+    else
+      write(Field::temperature, from.Backend::read(Field::temperature));
+    exec_.finish();
   }
 
  private:

@@ -17,6 +17,10 @@ class SummedArray {
   }
   std::size_t size() const { return high_.size(); }
   Summed<Real> view() { return {high_.data(), Summed<Real>::paired ? low_.data() : nullptr}; }
+  void copy(const SummedArray& other) {
+    high_.copy(other.high_);
+    if constexpr (Summed<Real>::paired) low_.copy(other.low_);
+  }
   void upload(std::span<const double> values) {
     if (values.size() != size()) throw std::logic_error("field of the wrong size");
     std::vector<Real> part(values.begin(), values.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 
 #include "base/nearest_name.hpp"
 
@@ -19,6 +20,9 @@ const std::vector<Option>& options() {
   static const std::vector<Option> all = {
       {"--set", "NAME=VALUE", "gives an argument of the deck (deck.args); may be repeated"},
       {"--device", "DEVICE", "cpu, cuda, cuda:N or auto (cuda if there is a usable NVIDIA device, else cpu)"},
+      {"--devices", "stress=D,thermal=D",
+       "instead of --device: heat of coupled stages marches on the second device beside the stress on the first; may be "
+       "the same device"},
       {"--precision", "PRECISION", "double, or single: half the memory; faster on NVIDIA devices (double)"},
       {"--threads", "N", "number of threads of the CPU (all cores)"},
       {"--elements", "N", "one size of about N elements instead of the usual ones"},
@@ -108,6 +112,14 @@ DeviceChoice device_named(const std::string& text) {
   return *choice;
 }
 
+LaneChoice lanes_named(const std::string& text) {
+  const auto choice = lane_choice(text);
+  if (!choice)
+    throw UsageError("--devices takes stress=DEVICE,thermal=DEVICE, such as stress=cuda:0,thermal=cuda:1, not '" + text +
+                     "'");
+  return *choice;
+}
+
 Precision precision_named(const std::string& text) {
   if (text == "double") return Precision::double_precision;
   if (text == "single") return Precision::single_precision;
@@ -124,6 +136,11 @@ std::pair<std::string, std::string> setting(const std::string& text) {
 void take_option(Arguments& arguments, const std::string& name, const std::string& value) {
   if (name == "--set") arguments.settings.push_back(setting(value));
   if (name == "--device") arguments.device = device_named(value);
+  if (name == "--devices") {
+    const LaneChoice lanes = lanes_named(value);
+    arguments.device = lanes.stress;
+    arguments.heat_device = lanes.thermal;
+  }
   if (name == "--precision") arguments.precision = precision_named(value);
   if (name == "--threads") arguments.threads = whole_number(name, value);
   if (name == "--elements") arguments.elements = whole_number(name, value);
@@ -151,7 +168,7 @@ std::span<const Verb> verbs() {
        "DECK",
        1,
        1,
-       {"--set", "--device", "--precision", "--threads", "--out", "--force"},
+       {"--set", "--device", "--devices", "--precision", "--threads", "--out", "--force"},
        "solves a deck and writes its results"},
       {"check", "DECK", 1, 1, {"--set"}, "reads a deck and shows mesh, contacts and plan without solving"},
       {"export",
@@ -198,6 +215,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     arguments.passed.assign(words.begin() + 1, words.end());
     return arguments;
   }
+  std::set<std::string> taken;
   for (std::size_t i = 1; i < words.size(); ++i) {
     std::string name = words[i];
     if (name.size() < 2 || name[0] != '-') {
@@ -210,6 +228,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     name = name.substr(0, equals);
     if (std::find(verb.options.begin(), verb.options.end(), name) == verb.options.end())
       throw UsageError("'" + verb.name + "' has no option '" + name + "'" + suggest_name(name, verb.options));
+    taken.insert(name);
     const Option& option = *std::find_if(options().begin(), options().end(), [&](auto& o) { return o.name == name; });
     if (option.value.empty()) {
       if (joined) throw UsageError(name + " takes no value");
@@ -221,6 +240,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       take_option(arguments, name, words[++i]);
     }
   }
+  if (taken.contains("--device") && taken.contains("--devices"))
+    throw UsageError("give either --device or --devices");
   const int given = static_cast<int>(arguments.operands.size());
   if (given < verb.fewest_operands || given > verb.most_operands)
     throw UsageError("usage: ashlar " + verb.name + (verb.operands.empty() ? "" : " " + verb.operands) +

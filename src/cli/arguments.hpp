@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -21,7 +22,8 @@ struct Arguments {
   std::vector<std::string> operands;                          ///< words that are no options
   std::vector<std::pair<std::string, std::string>> settings;  ///< --set name=value, in order
   int threads = 0;                                            ///< --threads; 0: all cores
-  DeviceChoice device;                                        ///< --device; automatic unless given
+  DeviceChoice device;                                        ///< --device; automatic unless given; stress of --devices
+  std::optional<DeviceChoice> heat_device;                    ///< thermal of --devices
   Precision precision = Precision::double_precision;          ///< --precision
   int elements = 0;                                           ///< --elements; 0: the usual sizes
   std::string out;                                            ///< --out

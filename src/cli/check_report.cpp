@@ -151,6 +151,9 @@ std::string solve_words(const Stage& stage) {
     return text("static, to a ratio of %g", s->relaxation.tolerance);
   if (const auto* t = std::get_if<ThermalSolve>(&stage.solve))
     return t->steady ? std::string("thermal, steady") : text("thermal, %.6g days", t->duration / 86400);
+  if (const auto* c = std::get_if<CoupledSolve>(&stage.solve))
+    return text("coupled, %.6g days, balanced every %.6g days to a ratio of %g", c->duration / 86400, c->every / 86400,
+                c->relaxation.tolerance);
   if (const auto* d = std::get_if<DynamicSolve>(&stage.solve)) return text("dynamic, %.6g s", d->duration);
   if (const auto* r = std::get_if<StrengthReduction>(&stage.solve))
     return text("strength reduction, a factor between %g and %g to within %g", r->low, r->high, r->width);
@@ -162,13 +165,9 @@ std::string solve_words(const Stage& stage) {
 
 /// Whether a condition has a say in such a stage: heat in thermal ones, forces and supports in the others.
 bool matters(const Condition& condition, const Stage& stage) {
-  const bool thermal_stage = std::holds_alternative<ThermalSolve>(stage.solve);
   if (std::holds_alternative<TemperatureField>(condition.kind)) return true;
-  return thermal_stage == (std::holds_alternative<FixedTemperature>(condition.kind) ||
-                           std::holds_alternative<Convection>(condition.kind) ||
-                           std::holds_alternative<Flux>(condition.kind) ||
-                           std::holds_alternative<HeatSource>(condition.kind) ||
-                           std::holds_alternative<InitialTemperature>(condition.kind));
+  const bool heat = gives_heat(condition) || std::holds_alternative<InitialTemperature>(condition.kind);
+  return heat ? is_thermal(stage) : is_mechanical(stage);
 }
 
 void describe_plan(Page& page, const Model& model) {

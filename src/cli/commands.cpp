@@ -38,6 +38,10 @@ int info_command(const Arguments& arguments) {
     }
     if (!cuda.missing.empty()) page.line("machine", cuda.missing);
     page.line("runs use", cuda.devices.empty() ? "the CPU" : "cuda:0, unless --device says otherwise");
+    page.line("lanes", "of coupled stages: in turns there, or beside each other, as --devices stress=" +
+                           std::string(cuda.devices.empty()       ? "cpu,thermal=cpu"
+                                       : cuda.devices.size() == 1 ? "cuda:0,thermal=cuda:0"
+                                                                  : "cuda:0,thermal=cuda:1"));
     std::fputs(page.lines().c_str(), stdout);
     return 0;
   }

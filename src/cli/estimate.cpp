@@ -40,6 +40,7 @@ const Relaxation* relaxation_of(const Stage& stage) {
   if (const auto* s = std::get_if<StaticSolve>(&stage.solve)) return &s->relaxation;
   if (const auto* f = std::get_if<FractureSolve>(&stage.solve)) return &f->relaxation;
   if (const auto* r = std::get_if<StrengthReduction>(&stage.solve)) return &r->relaxation;
+  if (const auto* c = std::get_if<CoupledSolve>(&stage.solve)) return &c->relaxation;
   return nullptr;
 }
 
@@ -68,8 +69,14 @@ std::vector<std::string> estimate_effort(const Problem& problem, const std::vect
     const Stage& stage = model.stages[i];
     const auto* thermal = std::get_if<ThermalSolve>(&stage.solve);
     const auto* fracture = std::get_if<FractureSolve>(&stage.solve);
-    double steps = static_cast<double>(plan[i].steps), step = 0;
+    const bool coupled = std::holds_alternative<CoupledSolve>(stage.solve);
+    double steps = static_cast<double>(plan[i].steps), step = 0, heat = 0;
     std::string words, after;
+    if (coupled) {
+      heat = march_over_heat * seconds.heat * steps;
+      words = count_text(plan[i].steps) + " steps of heat of " + time_text(plan[i].time_step) + " and ";
+      steps = 0;
+    }
     if (steps > 0) {
       step = thermal ? march_over_heat * seconds.heat : motion_over_force * seconds.force;
       words = count_text(plan[i].steps) + " steps of " + time_text(plan[i].time_step);
@@ -86,8 +93,10 @@ std::vector<std::string> estimate_effort(const Problem& problem, const std::vect
                          : fracture ? event_steps * across
                                     : rest_steps * across);
       step = (searches ? search_over_force : relaxation_over_force) * seconds.force;
-      words = "about " + rounded(steps) + " steps";
-      if (std::holds_alternative<StrengthReduction>(stage.solve)) {
+      words += "about " + rounded(steps) + " steps";
+      if (coupled)
+        words += text(" for each of %d balances", increments), steps *= increments;
+      else if (std::holds_alternative<StrengthReduction>(stage.solve)) {
         const long most = relaxation.max_steps > 0 ? relaxation.max_steps : usual_trial_steps;
         step = relaxation_over_force * seconds.force;
         steps = static_cast<double>(most) * increments;
@@ -97,7 +106,8 @@ std::vector<std::string> estimate_effort(const Problem& problem, const std::vect
       else if (increments > 1)
         words += text(" for each of %d increments", increments), steps *= increments;
     }
-    const std::string time = step * steps < 1 ? "less than a second" : "about " + duration_text(step * steps);
+    const double all = step * steps + heat;
+    const std::string time = all < 1 ? "less than a second" : "about " + duration_text(all);
     lines.push_back("stage " + stage.name + ": " + words + ", " + time + after);
   }
   return lines;

@@ -39,7 +39,7 @@ std::vector<std::string> missing(const Model& model) {
   bool warm = false;
   for (const Condition& c : model.conditions) warm = warm || std::holds_alternative<TemperatureField>(c.kind);
   for (const Stage& stage : model.stages) {
-    warm = warm || std::holds_alternative<ThermalSolve>(stage.solve);
+    warm = warm || is_thermal(stage);
     if (!std::holds_alternative<StaticSolve>(stage.solve))
       lines.push_back("stage '" + stage.name + "': only static stages become steps");
   }

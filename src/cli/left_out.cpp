@@ -42,8 +42,7 @@ std::vector<std::string> left_out(const Model& model) {
       list.push_back("reservoir floor load: the water does not weigh on the ground in front of the dam");
   }
   if (has_condition<Gravity>(model)) list.push_back("construction in lifts: gravity acts on the finished body at once");
-  const bool thermal = std::any_of(model.stages.begin(), model.stages.end(),
-                                   [](const Stage& s) { return std::holds_alternative<ThermalSolve>(s.solve); });
+  const bool thermal = std::any_of(model.stages.begin(), model.stages.end(), is_thermal);
   if (thermal && breakable) list.push_back("heat across cracks: open cracks conduct as sound concrete");
   return list;
 }

@@ -65,7 +65,7 @@ int run_command(const Arguments& arguments) {
   Deck deck = read_deck(arguments.operands[0], {arguments.settings.begin(), arguments.settings.end()});
   build_mesh(deck.model);
   check_model(deck.model);
-  Problem problem(deck.model, {arguments.precision, arguments.threads, arguments.device});
+  Problem problem(deck.model, {arguments.precision, arguments.threads, arguments.device, arguments.heat_device});
   plan_stages(problem);  // refuses what a later stage could not start with
 
   const RunFolder folder(arguments.out.empty() ? run_folder_name(deck.path) : arguments.out, arguments.force);

@@ -40,6 +40,18 @@ void describe_stage(Page& page, int number, const StageResult& stage) {
   if (stage.safety_factor > 0)
     page.line("stage", text("  safety factor %.4g: stands at %.4g", stage.safety_factor, stage.safety_factor) +
                            (stage.falling_factor > 0 ? text(", falls at %.4g", stage.falling_factor) : ""));
+  if (stage.lanes) {
+    const LaneTimes& lanes = *stage.lanes;
+    page.line("lanes", text("stress on %s: at work for %s", lanes.stress_device.c_str(),
+                            duration_text(lanes.stress).c_str()));
+    page.line("lanes", text("heat on %s: %s, at work for %s, ", lanes.heat_device.c_str(),
+                            counted(lanes.heat_steps, "step").c_str(), duration_text(lanes.heat).c_str()) +
+                           (lanes.beside ? text("%s of them beside the stress (%.0f %%)",
+                                                duration_text(lanes.both).c_str(), 100 * lanes.both / lanes.heat)
+                                         : "in turns with the stress"));
+    if (stage.load_factor < 1) page.line("stage", text("  stopped after %.6g days", stage.seconds / 86400));
+    return;
+  }
   if (stage.load_factor < 1) page.line("stage", text("  stopped at load factor %.4f", stage.load_factor));
 }
 

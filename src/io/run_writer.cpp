@@ -121,6 +121,14 @@ Json described(const StageResult& stage) {
                       {"external_work", stage.energy.external_work},
                       {"drift", stage.energy.drift}};
   }
+  if (stage.lanes)
+    json["lanes"] = {{"stress", {{"device", stage.lanes->stress_device}, {"seconds", stage.lanes->stress}}},
+                     {"heat",
+                      {{"device", stage.lanes->heat_device},
+                       {"seconds", stage.lanes->heat},
+                       {"steps", stage.lanes->heat_steps}}},
+                     {"beside", stage.lanes->beside},
+                     {"seconds_of_both", stage.lanes->both}};
   if (stage.initial) json["initial_stress_out_of_balance"] = stage.initial->share;
   json["wall_seconds"] = stage.wall_seconds;
   json["phase_seconds"] = Json::object();

@@ -29,8 +29,6 @@ std::string listed(const std::vector<std::string>& names) {
   return all;
 }
 
-bool is_mechanical(const Stage& stage) { return !std::holds_alternative<ThermalSolve>(stage.solve); }
-
 class ModelCheck {
  public:
   explicit ModelCheck(const Model& model) : model_(model) {
@@ -208,7 +206,7 @@ class ModelCheck {
           complaints_.add(stage.where, who + ": remove '" + name + "' means both " + *nouns.begin() + " and " +
                                            *nouns.rbegin() + "; give them different names");
       }
-      if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve)) thermal_stage(stage, *thermal);
+      if (is_thermal(stage)) thermal_stage(stage);
       if (std::holds_alternative<DynamicSolve>(stage.solve)) motion(stage);
       if (std::holds_alternative<StrengthReduction>(stage.solve)) strength_reduction(stage);
       if (const auto* fracture = std::get_if<FractureSolve>(&stage.solve)) {
@@ -226,7 +224,7 @@ class ModelCheck {
   void earlier_temperature(const std::string& name, std::size_t stage, const std::string& who) {
     std::vector<std::string> valid;
     for (std::size_t s = 0; s < stage; ++s)
-      if (!is_mechanical(model_.stages[s])) valid.push_back(model_.stages[s].name);
+      if (is_thermal(model_.stages[s])) valid.push_back(model_.stages[s].name);
     if (std::find(valid.begin(), valid.end(), name) != valid.end()) return;
     const auto found = std::find(stages_.begin(), stages_.end(), name);
     const Where& where = model_.stages[stage].where;
@@ -238,7 +236,9 @@ class ModelCheck {
       complaints_.add(where, who + ": stage '" + name + "' is not thermal, so no temperature ends there");
   }
 
-  void thermal_stage(const Stage& stage, const ThermalSolve& thermal) {
+  void thermal_stage(const Stage& stage) {
+    const auto* thermal = std::get_if<ThermalSolve>(&stage.solve);
+    const bool steady = thermal && thermal->steady;
     for (const auto& material : model_.materials) {
       const auto need = [&](const char* key, const char* unit) {
         if (missing_.emplace(material.name, key).second)
@@ -246,7 +246,7 @@ class ModelCheck {
                                               "], which stage '" + stage.name + "' needs");
       };
       if (!material.conductivity) need("conductivity", "W/(m*K)");
-      if (!material.heat_capacity && !thermal.steady) need("heat_capacity", "J/(kg*K)");
+      if (!material.heat_capacity && !steady) need("heat_capacity", "J/(kg*K)");
     }
   }
 
@@ -286,17 +286,13 @@ class ModelCheck {
     for (const auto& c : model_.conditions)
       if (!felt.contains(&c))
         complaints_.add(c.where, title(c.noun, c.name) + " acts in no stage that could feel it: it needs " +
-                                     (thermal_boundary(c) ? "a thermal stage" : "a static, fracture or dynamic stage") +
+                                     (gives_heat(c) ? "a thermal or coupled stage" : "a static, fracture, dynamic or coupled stage") +
                                      "; add one or leave the condition out");
-  }
-  static bool thermal_boundary(const Condition& c) {
-    return std::holds_alternative<FixedTemperature>(c.kind) || std::holds_alternative<Convection>(c.kind) ||
-           std::holds_alternative<Flux>(c.kind) || std::holds_alternative<HeatSource>(c.kind);
   }
   static bool felt_by(const Condition& c, const Stage& stage) {
     if (std::holds_alternative<InitialTemperature>(c.kind) || std::holds_alternative<TemperatureField>(c.kind))
       return true;
-    return thermal_boundary(c) != is_mechanical(stage);
+    return gives_heat(c) ? is_thermal(stage) : is_mechanical(stage);
   }
 
   /// A moving water table changes which faces are wet: no load that scales with a number.

@@ -50,6 +50,11 @@ void replace_older(std::vector<Entry>& entries, const Entry& newer) {
 
 }  // namespace
 
+bool gives_heat(const Condition& c) {
+  return std::holds_alternative<FixedTemperature>(c.kind) || std::holds_alternative<Convection>(c.kind) ||
+         std::holds_alternative<Flux>(c.kind) || std::holds_alternative<HeatSource>(c.kind);
+}
+
 std::vector<ActingCondition> acting_conditions(const Model& model, int stage) {
   std::vector<Entry> entries;
   const auto give = [&](const Condition& condition, int given) {

@@ -8,6 +8,9 @@
 /// Which conditions act in a stage, and where.
 namespace ashlar {
 
+/// Whether the condition is one of the boundary of heat, or a source of it: what mechanical stages do not feel.
+bool gives_heat(const Condition& condition);
+
 /// One condition with the surfaces on which it still holds.
 struct ActingCondition {
   const Condition* condition = nullptr;

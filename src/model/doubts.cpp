@@ -27,7 +27,10 @@ class Doubts {
       constants(i.where, (i.crackable ? "crackable '" : "joint '") + i.name + "'", i.values);
     for (const InitialStress& stress : model_.initial_stresses) initial(stress);
     for (const Stage& stage : model_.stages)
-      if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve)) transient(stage, *thermal);
+      if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve); thermal && !thermal->steady)
+        transient(stage, thermal->duration);
+      else if (const auto* coupled = std::get_if<CoupledSolve>(&stage.solve))
+        transient(stage, coupled->duration);
     temperature(model_.where, "model", "reference_temperature", model_.reference_temperature);
     for (const Condition& condition : model_.conditions) {
       const std::string who = condition.noun + (condition.name.empty() ? "" : " '" + condition.name + "'");
@@ -78,10 +81,10 @@ class Doubts {
   }
 
   /// Heat reaches (conductivity / (density heat_capacity) time)^(1/2) deep: in concrete 1 cm in about two minutes.
-  void transient(const Stage& stage, const ThermalSolve& thermal) {
+  void transient(const Stage& stage, double duration) {
     constexpr double short_time = 1000, large = 1;  // s, m
-    if (thermal.steady || thermal.duration >= short_time || extent() < large) return;
-    add(stage.where, "stage '" + stage.name + "': 'duration' is " + number_text(thermal.duration) +
+    if (duration >= short_time || extent() < large) return;
+    add(stage.where, "stage '" + stage.name + "': 'duration' is " + number_text(duration) +
                          " s, too short for heat to go deep; bare numbers are s, as in 100*days");
   }
 

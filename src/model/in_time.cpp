@@ -65,13 +65,18 @@ double TimeTable::at(double t) const {
   return value[i - 1] + (value[i] - value[i - 1]) * ((t - time[i - 1]) / (time[i] - time[i - 1]));
 }
 
+double duration_of(const Stage& stage) {
+  if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve)) return thermal->duration;
+  if (const auto* coupled = std::get_if<CoupledSolve>(&stage.solve)) return coupled->duration;
+  if (const auto* dynamic = std::get_if<DynamicSolve>(&stage.solve)) return dynamic->duration;
+  return 0;
+}
+
 std::vector<StageTimes> stage_times(const Model& model) {
   std::vector<StageTimes> times;
   double now = 0;
   for (const Stage& stage : model.stages) {
-    double duration = 0;
-    if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve)) duration = thermal->duration;
-    if (const auto* dynamic = std::get_if<DynamicSolve>(&stage.solve)) duration = dynamic->duration;
+    const double duration = duration_of(stage);
     times.push_back({now, now + duration});
     now += duration;
   }

@@ -5,14 +5,16 @@
 
 #include "model/model.hpp"
 
-/// Numbers of conditions that follow a table of time. Time is that of the run: the durations of its transient thermal
-/// and its dynamic stages, one after the other; other stages take none.
+/// Numbers of conditions that follow a table of time. Time is that of the run: the durations of its transient thermal,
+/// coupled and dynamic stages, one after the other; other stages take none.
 namespace ashlar {
 
 struct StageTimes {
   double begin = 0, end = 0;  ///< s since the start of the run; the same where a stage takes no time
 };
 std::vector<StageTimes> stage_times(const Model& model);
+/// s that a stage takes; 0: none.
+double duration_of(const Stage& stage);
 
 /// Whether the table takes more than one value between two times.
 bool changes(const TimeTable& table, const StageTimes& stage);

@@ -232,8 +232,17 @@ struct DynamicSolve {
   double record_every = 0;                    ///< s between history rows; 0: a hundredth of the duration
 };
 
+/// Heat and quasi-static stress together in time: heat in its own steps, equilibrium at times `every` apart.
+struct CoupledSolve {
+  double duration = 0;                        ///< s
+  double every = 0;                           ///< s between equilibria; the last is at the end
+  int increments = 1;                         ///< of the change from one equilibrium to the next
+  Relaxation relaxation;
+};
+
 /// How a stage is solved.
-using Solve = std::variant<StaticSolve, ThermalSolve, FractureSolve, DynamicSolve, StrengthReduction>;
+using Solve =
+    std::variant<StaticSolve, ThermalSolve, FractureSolve, DynamicSolve, StrengthReduction, CoupledSolve>;
 
 struct Stage {
   std::string name;
@@ -243,6 +252,11 @@ struct Stage {
   Solve solve;
   bool reset_displacement = false;            ///< after this stage, output displacement counts from its end
 };
+/// Whether temperature is solved for, whether stress is.
+inline bool is_thermal(const Stage& stage) {
+  return std::holds_alternative<ThermalSolve>(stage.solve) || std::holds_alternative<CoupledSolve>(stage.solve);
+}
+inline bool is_mechanical(const Stage& stage) { return !std::holds_alternative<ThermalSolve>(stage.solve); }
 
 // ---------------------------------------------------------------- what comes out
 
@@ -260,7 +274,7 @@ struct Output {
   std::string name;
   Where where;
   std::vector<std::string> record;            ///< names of io/result fields
-  int every = 0;                              ///< 0: stage ends only; n: also every n-th increment of fracture stages / n-th of thermal durations / n-th record of dynamic stages
+  int every = 0;                              ///< 0: stage ends only; n: also every n-th increment of fracture stages / n-th time of coupled stages / n-th record of dynamic stages
 };
 
 /// `picture "cracks" { of = "temperature", stage = "winter", ... }`: handed to the plotting program through the manifest.

@@ -55,7 +55,7 @@ std::string expected_at_once(const KeyRule& rule) {
     case KeyType::renames: return "a table { old = \"new\" }";
     case KeyType::interval: return "{ lowest, highest }";
     case KeyType::zero: return "0 (a given movement is what 'displacement' is for)";
-    case KeyType::solve: return "static {...}, thermal {...}, fracture {...} or dynamic {...}";
+    case KeyType::solve: return "static {...}, thermal {...}, fracture {...}, coupled {...}, dynamic {...} or strength_reduction {...}";
     case KeyType::conditions: return "a list of conditions such as convection {...}";
     case KeyType::function: return "a function(result)";
   }

@@ -126,7 +126,7 @@ std::string help_functions() {
       values that follow time, for every key that "may change in time"; straight lines between rows, constant before
       the first and after the last. Bare rows do too: ambient = { {0*days, 5*degC}, {30*days, 9*degC} }. So does a table
       read from a file with one column beside time; of more columns: in_time(air.time, air.temperature).
-      Time is that of the run, in seconds: the durations of thermal and dynamic stages one after the other. Other stages
+      Time is that of the run, in seconds: the durations of thermal, coupled and dynamic stages, one after the other. Other stages
       take no time: they see the values of the time reached. A function of t is sampled when the deck has been read;
       a function of position is written function(x, y, z).
   in_stage { ... }   in_stage(function(t) ... end)

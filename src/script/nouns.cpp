@@ -262,6 +262,20 @@ void add_strength_reduction(const Call& c) {
   c.solves.emplace_back(s);
 }
 
+void add_coupled(const Call& c) {
+  const Fields& f = c.fields;
+  constexpr double most = 1e6;
+  CoupledSolve s;
+  s.duration = f.number("duration");
+  s.every = f.maybe("every").value_or(s.duration / 12);
+  s.increments = f.integer("increments");
+  s.relaxation = relaxation(f);
+  if (s.every > s.duration) c.complain("every", "'every' is longer than 'duration'");
+  if (s.duration / s.every > most)
+    c.complain("every", "'every' is so short that 'duration' would hold more than a million equilibria");
+  c.solves.emplace_back(s);
+}
+
 int add_solve(const Call& c) {
   const Fields& f = c.fields;
   if (c.noun.name == "dynamic") {
@@ -285,6 +299,8 @@ int add_solve(const Call& c) {
                                           static_cast<long>(f.number("max_events"))});
     else if (c.noun.name == "strength_reduction")
       add_strength_reduction(c);
+    else if (c.noun.name == "coupled")
+      add_coupled(c);
     else
       c.solves.emplace_back(StaticSolve{relaxation(f), static_cast<int>(f.maybe("increments").value_or(0))});
   }

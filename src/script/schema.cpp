@@ -487,6 +487,22 @@ const std::vector<NounRule>& nouns() {
                 key("max_events", Type::integer, "gives up after so many crack events").otherwise(100000)} +
            relaxation_keys(),
        .example = R"(stage "fracture" { solve = fracture { from = "summer", to = "winter", increments = 10 } })"},
+      {.name = "coupled",
+       .kind = NounKind::solve,
+       .naming = Naming::none,
+       .doc = "Heat and quasi-static stress together in time, such as seasons: heat goes on in its own steps, and at "
+              "times `every` apart the body comes to equilibrium with the temperature and the conditions of that "
+              "moment, from where the last equilibrium left it. Begins with the equilibrium of its first moment. "
+              "Histories have a row for every such time. On two devices, or beside each other on one: --devices.",
+       .keys = Keys{number("duration", dimension::time, range::positive, "how long").need(),
+                    number("every", dimension::time, range::positive,
+                           "between equilibria, the last is at the end; a twelfth of the duration unless given"),
+                    key("increments", Type::integer,
+                        "equal parts in which the change from one equilibrium to the next comes; more than 1 where "
+                        "plastic flow or cracking of blocks depends on the path")
+                        .otherwise(1)} +
+               relaxation_keys(),
+       .example = R"(stage "year" { solve = coupled { duration = 365*days, every = 15*days } })"},
       {.name = "strength_reduction",
        .kind = NounKind::solve,
        .naming = Naming::none,
@@ -530,7 +546,7 @@ const std::vector<NounRule>& nouns() {
       {.name = "stage",
        .doc = "One step of the model's life. Stages continue from each other, in the deck's order.",
        .keys = {key("solve", Type::solve,
-                    "static {...}, thermal {...}, fracture {...}, dynamic {...} or strength_reduction {...}")
+                    "static {...}, thermal {...}, fracture {...}, coupled {...}, dynamic {...} or strength_reduction {...}")
                     .need(),
                 key("apply", Type::conditions,
                     "conditions that act from this stage on: a list of calls such as convection {...}. One replaces an "
@@ -554,7 +570,7 @@ const std::vector<NounRule>& nouns() {
       {.name = "output",
        .doc = "Fields in the result files.",
        .keys = {key("record", Type::choices, "fields to write").of(recorded_names(&Recorded::in_output)).need(),
-                key("at", Type::choice, "when: at the end of every stage, or of every increment too")
+                key("at", Type::choice, "when: at the end of every stage, or of every increment (coupled: every time) too")
                     .of({"stage_end", "increment"})
                     .otherwise_text("stage_end"),
                 key("every", Type::integer, "with at = \"increment\": every so many increments").otherwise(1)},

@@ -26,7 +26,7 @@ enum class KeyType {
   renames,     ///< { old = "new" }
   interval,    ///< { low, high }, numbers or quantities
   zero,        ///< 0 or true: held
-  solve,       ///< static {...}, thermal {...}, fracture {...} or dynamic {...}
+  solve,       ///< static {...}, thermal {...}, fracture {...}, coupled {...}, dynamic {...} or strength_reduction {...}
   conditions,  ///< list of conditions, lists inside lists allowed
   function,
 };

@@ -18,6 +18,16 @@ std::optional<DeviceChoice> device_choice(const std::string& text) {
   return choice;
 }
 
+std::optional<LaneChoice> lane_choice(const std::string& text) {
+  const std::string first = "stress=", second = ",thermal=";
+  const std::size_t comma = text.find(second);
+  if (!text.starts_with(first) || comma == std::string::npos) return {};
+  const auto stress = device_choice(text.substr(first.size(), comma - first.size()));
+  const auto thermal = device_choice(text.substr(comma + second.size()));
+  if (!stress || !thermal) return {};
+  return LaneChoice{*stress, thermal};
+}
+
 std::unique_ptr<Backend> make_backend(const Setup& setup, Precision precision, const DeviceChoice& choice,
                                       int threads) {
   if (choice.kind == DeviceChoice::cpu) return make_cpu_backend(setup, precision, threads);

@@ -36,7 +36,7 @@ struct Progress {
   std::string stage, kind;
   long step = 0;
   double ratio = 0, target = 0;       ///< convergence measure and its goal
-  int increment = 0, increments = 0;  ///< fracture stages and thermal transients (percent of duration)
+  int increment = 0, increments = 0;  ///< fracture stages, coupled ones (equilibria), thermal transients (percent of duration)
   double fraction = 0;                ///< 0..1 of the stage, estimated; for the ETA
   double cracked_fraction = 0;        ///< broken contact points / all breakable ones
 };

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "solve/coupled.hpp"
 #include "solve/dynamic.hpp"
 #include "solve/recorder.hpp"
 #include "solve/stage_conditions.hpp"
@@ -22,6 +23,12 @@ StagePlan plan_stage(Problem& problem, int number) {
     return {steps.count, steps.length};
   }
   mechanical_conditions(problem, number);
+  if (const auto* solve = std::get_if<CoupledSolve>(&stage.solve)) {
+    ThermalSteps steps;
+    Lane& lane = *problem.heat_lane;
+    lane.run([&] { steps = HeatMarch(problem, lane.backend(), number).steps(0, solve->duration); });
+    return {steps.count, steps.length, static_cast<int>(balance_times(*solve).size())};
+  }
   if (const auto* solve = std::get_if<StaticSolve>(&stage.solve)) return {0, 0, static_increments(problem, *solve)};
   if (const auto* solve = std::get_if<FractureSolve>(&stage.solve)) return {0, 0, solve->increments};
   if (const auto* solve = std::get_if<StrengthReduction>(&stage.solve))
@@ -83,7 +90,7 @@ StepSeconds measure_steps(Problem& problem) {
     backend.run(Phase::spring_force);
   });
   for (const Stage& stage : problem.model.stages)
-    if (std::holds_alternative<ThermalSolve>(stage.solve)) {
+    if (is_thermal(stage)) {
       seconds.heat = shortest_time(backend, [&] { backend.run(Phase::heat_flow); });
       break;
     }

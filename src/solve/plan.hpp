@@ -10,9 +10,9 @@ namespace ashlar {
 inline constexpr long usual_trial_steps = 20000;
 
 struct StagePlan {
-  long steps = 0;        ///< dynamic and transient thermal stages; 0: only solving tells
+  long steps = 0;        ///< dynamic and transient thermal stages, heat of coupled ones; 0: only solving tells
   double time_step = 0;  ///< s, of these
-  int increments = 1;    ///< static and fracture stages: balances, one after another
+  int increments = 1;    ///< static, fracture and coupled stages: balances, one after another
 };
 
 /// Increments of what is out of balance at the start of a static stage.

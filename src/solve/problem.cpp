@@ -1,5 +1,9 @@
 #include "solve/problem.hpp"
 
+#include <omp.h>
+
+#include <algorithm>
+
 #include "physics/interface_laws/interface_laws.hpp"
 
 namespace ashlar {
@@ -13,6 +17,11 @@ std::vector<int> material_indices(const Model& model) {
   return indices;
 }
 
+/// Two lanes beside each other share the cores, unless told.
+int threads_of_lane(const RunOptions& options) {
+  return options.threads == 0 && options.heat_device ? std::max(1, omp_get_num_procs() / 2) : options.threads;
+}
+
 }  // namespace
 
 Problem::Problem(const Model& m, const RunOptions& options)
@@ -22,8 +31,16 @@ Problem::Problem(const Model& m, const RunOptions& options)
       discretisation(
           discretise(m.mesh, blocks, material_indices(m), patch_slots(static_cast<int>(m.mesh.corners.size()), options.precision))),
       initial(initial_state(m, blocks, setup())),
-      backend(make_backend(setup(), options.precision, options.device, options.threads)) {
+      backend(make_backend(setup(), options.precision, options.device, threads_of_lane(options))) {
   if (!initial.history.empty()) backend->write(Field::history, initial.history);
+  for (const Stage& stage : m.stages)
+    if (std::holds_alternative<CoupledSolve>(stage.solve) && !heat_lane)
+      heat_lane = std::make_unique<Lane>(
+          [&] {
+            return make_backend(heat_setup(), options.precision, options.heat_device.value_or(options.device),
+                                threads_of_lane(options));
+          },
+          options.heat_device.has_value());
 }
 
 Setup Problem::setup() const {
@@ -49,6 +66,19 @@ Vec3<double> Problem::place_of_contact(int contact) const {
     if (weight < 0) place = place - weight * model.mesh.points[blocks.mesh_node[node]];
   });
   return place;
+}
+
+Setup Problem::heat_setup() const {
+  static const ContactPoints none;
+  const Setup all = setup();
+  return {.discretisation = discretisation,
+          .contacts = none,
+          .laws = all.laws,
+          .bbar = all.bbar,
+          .interface_laws = {},
+          .conductivity = all.conductivity,
+          .reference_temperature = all.reference_temperature,
+          .heat_only = true};
 }
 
 std::vector<double> Problem::to_machine(const std::vector<double>& block_order, int width) const {

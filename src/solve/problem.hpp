@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "backend/device.hpp"
@@ -8,6 +9,7 @@
 #include "model/discretisation.hpp"
 #include "model/model.hpp"
 #include "solve/initial_state.hpp"
+#include "solve/lane.hpp"
 
 /// A model made ready to run: blocks split, springs placed, everything in the machine's order.
 namespace ashlar {
@@ -15,7 +17,8 @@ namespace ashlar {
 struct RunOptions {
   Precision precision = Precision::double_precision;
   int threads = 0;  ///< of the CPU; 0: all cores
-  DeviceChoice device{DeviceChoice::cpu};
+  DeviceChoice device{DeviceChoice::cpu};      ///< of the stress lane and all that is not coupled
+  std::optional<DeviceChoice> heat_device{};  ///< of a heat lane beside it; none: in turns on `device`
 };
 
 struct Problem {
@@ -25,6 +28,7 @@ struct Problem {
   Discretisation discretisation;
   InitialState initial;
   std::unique_ptr<Backend> backend;
+  std::unique_ptr<Lane> heat_lane;  ///< none in models without coupled stages
 
   /// `model` has its mesh and outlives the problem. Throws DeckError.
   Problem(const Model& model, const RunOptions& options);
@@ -32,8 +36,9 @@ struct Problem {
   /// Where a contact point lies on its side a, m.
   Vec3<double> place_of_contact(int contact) const;
 
-  /// What any machine's backend is built from.
+  /// What any machine's backend is built from, and one of heat alone.
   Setup setup() const;
+  Setup heat_setup() const;
 
   /// Vectors of `width` numbers per block node, between the order of Blocks and the machine's.
   std::vector<double> to_machine(const std::vector<double>& block_order, int width) const;

@@ -15,7 +15,7 @@ struct Moment {
   double time = 0;  ///< stages done, with the fraction of the present one
   double load_factor = 0;
   bool stage_end = false;
-  double seconds = 0;  ///< dynamic and transient stages: since the stage began
+  double seconds = 0;  ///< dynamic, coupled and transient stages: since the stage began
   int record = 0;      ///< of those: number of the row, from 1
 };
 

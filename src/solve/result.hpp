@@ -15,7 +15,7 @@ struct CrackEvent {
   int contact_points = 0;         ///< how many broke together
   std::string interface;          ///< name in the deck
   std::string mode;               ///< "tension" or "shear"
-  double seconds = 0;             ///< dynamic stages: since the stage began
+  double seconds = 0;             ///< coupled and dynamic stages: since the stage began
 };
 
 /// Energies of a motion, J, all in the middle of one step. kinetic + strain + dissipated - external_work keeps its value.
@@ -36,6 +36,15 @@ struct InitialBalance {
   static constexpr double far = 0.01;  ///< of share: worth a warning
 };
 
+/// How the two lanes of a coupled stage spent their time.
+struct LaneTimes {
+  std::string stress_device, heat_device;
+  bool beside = false;            ///< whether they could work at once
+  long heat_steps = 0;
+  double stress = 0, heat = 0;    ///< s at work
+  double both = 0;                ///< s of these at once
+};
+
 struct PhaseTime {
   std::string phase;
   double seconds = 0;
@@ -43,12 +52,12 @@ struct PhaseTime {
 
 struct StageResult {
   std::string name;
-  std::string kind;               ///< "static", "thermal steady", "thermal transient", "fracture", "dynamic", "strength reduction"
+  std::string kind;               ///< "static", "thermal steady", "thermal transient", "fracture", "dynamic", "strength reduction", "coupled"
   bool converged = false;
   std::string stop_reason;        ///< "converged", "duration reached", "step limit", "not finite", "block free", "interrupted", "runaway energy at ...", ...
   long steps = 0;                 ///< passes over the elements: relaxation steps, heat steps, iterations of conjugate gradients
   double ratio = 0;               ///< unbalanced force ratio or relative residual at the end
-  double load_factor = 1;         ///< reached by a fracture stage
+  double load_factor = 1;         ///< reached by a fracture stage; coupled stages: share of the duration
   double wall_seconds = 0;
   std::vector<PhaseTime> phases;
   std::vector<CrackEvent> events;
@@ -60,10 +69,11 @@ struct StageResult {
   double fracture_work = 0;                            ///< J, the part of blocks that crack
   double safety_factor = 0;                            ///< strength reduction: the largest factor at which it stands
   double falling_factor = 0;                           ///< and the smallest at which it does not; 0: none was found
-  double seconds = 0;                                  ///< dynamic stages: time reached, s
+  double seconds = 0;                                  ///< coupled and dynamic stages: time reached, s
   double time_step = 0, stable_step = 0;               ///< s, dynamic stages
   std::optional<InitialBalance> initial;               ///< of the first mechanical stage of a model with initial stress
   EnergyBalance energy;                                ///< at the end of a dynamic stage
+  std::optional<LaneTimes> lanes;                      ///< of a coupled stage
 };
 
 /// One history: columns with units; a row whenever something was recorded (start, increments, stage ends).

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "solve/block_state.hpp"
+#include "solve/coupled.hpp"
 #include "solve/dynamic.hpp"
 #include "solve/elastic_start.hpp"
 #include "solve/fracture.hpp"
@@ -26,13 +27,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-bool is_thermal(const Stage& stage) { return std::holds_alternative<ThermalSolve>(stage.solve); }
 bool is_dynamic(const Stage& stage) { return std::holds_alternative<DynamicSolve>(stage.solve); }
+bool is_coupled(const Stage& stage) { return std::holds_alternative<CoupledSolve>(stage.solve); }
 
 std::string kind_of(const Stage& stage) {
   if (const auto* thermal = std::get_if<ThermalSolve>(&stage.solve))
     return thermal->steady ? "thermal steady" : "thermal transient";
   if (is_dynamic(stage)) return "dynamic";
+  if (is_coupled(stage)) return "coupled";
   if (std::holds_alternative<StrengthReduction>(stage.solve)) return "strength reduction";
   return std::holds_alternative<FractureSolve>(stage.solve) ? "fracture" : "static";
 }
@@ -63,6 +65,8 @@ class Run {
         body_temperature_(temperature_),
         shift_(temperature_.size(), 0.0) {
     result_.device = problem.backend->name();
+    if (problem.heat_lane && problem.heat_lane->beside())
+      result_.device += ", beside it " + problem.heat_lane->backend().name() + " for heat";
   }
 
   RunResult run() {
@@ -85,7 +89,7 @@ class Run {
     const auto start = Clock::now();
     const std::vector<double> seconds_before = phase_seconds();
     outcome_ = {};
-    out_of_balance_ = 0;
+    out_of_balance_ = now_ = 0;
     outcome_.name = stage().name;
     outcome_.kind = kind_of(stage());
     observer_.stage_begins(stage_ + 1, stage().name, outcome_.kind);
@@ -113,7 +117,8 @@ class Run {
   std::vector<double> phase_seconds() const {
     std::vector<double> seconds;
     for (int p = 0; p < static_cast<int>(Phase::count); ++p)
-      seconds.push_back(problem_.backend->seconds(static_cast<Phase>(p)));
+      seconds.push_back(problem_.backend->seconds(static_cast<Phase>(p)) +
+                        (problem_.heat_lane ? problem_.heat_lane->backend().seconds(static_cast<Phase>(p)) : 0));
     return seconds;
   }
 
@@ -123,10 +128,10 @@ class Run {
     if (moment.stage_end || wants_output(moment)) recorder_.snapshot(moment);
   }
 
-  /// Outputs inside a stage: every n-th increment, every n-th record of a motion.
+  /// Outputs inside a stage: every n-th increment, time of a coupled stage, record of a motion.
   bool wants_output(const Moment& moment) const {
     if (std::holds_alternative<ThermalSolve>(stage().solve)) return false;
-    const long number = is_dynamic(stage()) ? moment.record : std::lround(moment.load_factor * increments_);
+    const long number = is_dynamic(stage()) || is_coupled(stage()) ? moment.record : std::lround(moment.load_factor * increments_);
     for (const Output& o : problem_.model.outputs)
       if (o.every > 0 && number % o.every == 0 && !moment.stage_end) return true;
     return false;
@@ -136,7 +141,7 @@ class Run {
 
   void set_body_temperature(const std::vector<double>& temperature) {
     body_temperature_ = temperature;
-    write_temperature(problem_, temperature);
+    write_temperature(problem_, *problem_.backend, temperature);
     problem_.backend->run(Phase::gauss_temperature);
     problem_.backend->use_warming(true);
   }
@@ -152,7 +157,9 @@ class Run {
   /// Load, supports and given displacements of the stage; returns the loads other than weight, the machine's numbering.
   std::vector<double> set_conditions() {
     Backend& backend = *problem_.backend;
-    MechanicalConditions conditions = mechanical_conditions(problem_, stage_);
+    const double time = stage_times(problem_.model)[stage_].begin + now_;
+    MechanicalConditions conditions =
+        mechanical_conditions(problem_, acting_conditions(problem_.model, stage_, time));
     backend.write(Field::load, problem_.to_machine(conditions.load, 3));
     backend.write(Field::fixed, problem_.to_machine(conditions.fixed, 1));
     if (!conditions.prescribed.empty()) {
@@ -171,8 +178,12 @@ class Run {
 
   /// Sets the stage up; returns what Fracture wants to know.
   FractureLinks set_up(const Relaxation& relaxation) {
-    FractureLinks links;
+    FractureLinks links = links_for(relaxation);
     links.surface_load = set_conditions();
+    return links;
+  }
+  FractureLinks links_for(const Relaxation& relaxation) {
+    FractureLinks links;
     auto search = std::make_shared<ElasticStart>(problem_, *problem_.backend);
     links.relax = [this, &relaxation, search](const RelaxationWatch& watch) {
       set_virtual_mass(problem_, *problem_.backend, relaxation);
@@ -226,32 +237,42 @@ class Run {
     observer_.progress(p);
   }
 
-  /// Where a static stage begins; loads, displacements and temperature go on from there in equal parts.
+  /// Where a balance begins; loads, displacements and temperature go on from there in equal parts.
   struct Start {
     std::vector<double> load, surface_load, force, displacement, temperature;
   };
+  Start present() {
+    Backend& backend = *problem_.backend;
+    evaluate_force(backend);
+    return {backend.read(Field::load), surface_load_, backend.read(Field::force), backend.read(Field::displacement),
+            body_temperature_};
+  }
 
   void solve_stage(const StaticSolve& how) {
-    Backend& backend = *problem_.backend;
     increment_ = 0;
-    increments_ = static_increments(problem_, how);
-    evaluate_force(backend);
-    const Start start{backend.read(Field::load), surface_load_, backend.read(Field::force),
-                      backend.read(Field::displacement), body_temperature_};
+    const int increments = static_increments(problem_, how);
+    increments_ = increments > 1 ? increments : 0;
+    const Start start = present();
     warm_body();
     FractureLinks links = set_up(how.relaxation);
-    thermal_load_ = warm_ ? thermal_load_norm(backend) : 0;
-    if (increments_ > 1) {
-      go_from(start, links);
-      Fracture fracture(problem_, links, max_static_events);
-      outcome_.converged = fracture.advance(increments_);
-      fracture.fill(outcome_);
-    } else {
-      increments_ = 0;
-      Fracture fracture(problem_, links, max_static_events);
-      outcome_.converged = fracture.settle(1);
-      fracture.fill(outcome_);
-    }
+    links.increment_reached = [this](double factor) {
+      ++increment_;
+      if (factor < 1) record({stage_, stage_ + factor, factor, false});
+    };
+    balance(start, links, increments_, outcome_);
+  }
+
+  /// Equilibrium with the conditions and the temperature that have been set, in increments of the way from `start`; 0:
+  /// at once.
+  void balance(const Start& start, FractureLinks links, int increments, StageResult& result) {
+    thermal_load_ = warm_ ? thermal_load_norm(*problem_.backend) : 0;
+    if (increments > 0) go_from(start, links);
+    Fracture fracture(problem_, links, max_static_events);
+    if (increments > 0)
+      fracture.advance(increments);
+    else
+      fracture.settle(1);
+    fracture.fill(result);
   }
 
   /// What is out of balance when the stage begins comes in proportion to the load factor: loads that it adds, supports
@@ -280,10 +301,6 @@ class Run {
           temperature[n] = between(start.temperature[n], temperature[n]);
         set_body_temperature(temperature);
       }
-    };
-    links.increment_reached = [this](double factor) {
-      ++increment_;
-      if (factor < 1) record({stage_, stage_ + factor, factor, false});
     };
   }
 
@@ -383,7 +400,7 @@ class Run {
     warm_body();
     set_conditions();
     const StageTimes times = stage_times(problem_.model)[stage_];
-    const bool changing = conditions_change(problem_.model, stage_);
+    const bool changing = loads_change(problem_.model, stage_);
     DynamicLinks links;
     links.watch = [this](long step, double fraction) {
       relaxed_ = fraction;
@@ -420,7 +437,7 @@ class Run {
   void solve_stage(const ThermalSolve& how) {
     increment_ = records_ = 0;
     increments_ = how.steady ? 0 : 100;
-    write_temperature(problem_, temperature_);
+    write_temperature(problem_, *problem_.backend, temperature_);
     const ThermalResult r = solve_thermal(problem_, stage_, [&](const ThermalProgress& progress) {
       relaxed_ = progress.fraction;
       if (!how.steady) {
@@ -438,6 +455,81 @@ class Run {
     outcome_.stop_reason = r.stop_reason;
     outcome_.steps = r.steps;
     outcome_.ratio = r.ratio;
+  }
+
+  // ------------------------------------------------------------------ both
+
+  /// Temperature of the heat lane, which rests; the body has what fracture stages have put on top as well.
+  void take_temperature() {
+    Backend& backend = *problem_.backend;
+    backend.take_temperature(problem_.heat_lane->backend());
+    temperature_ = read_temperature(problem_);
+    if (std::any_of(shift_.begin(), shift_.end(), [](double s) { return s != 0; })) return warm_body();
+    body_temperature_ = temperature_;
+    backend.run(Phase::gauss_temperature);
+    backend.use_warming(true);
+  }
+
+  /// Adds what one balance of a coupled stage found; load factors of it are shares of the way between two times.
+  void add(const StageResult& part, double before) {
+    const double duration = duration_of(stage());
+    const auto seconds = [&](double factor) { return before + factor * (now_ - before); };
+    outcome_.converged = part.converged;
+    outcome_.stop_reason = part.stop_reason;
+    outcome_.steps += part.steps;
+    outcome_.ratio = part.ratio;
+    outcome_.seconds = seconds(part.load_factor);
+    outcome_.load_factor = outcome_.seconds / duration;
+    outcome_.cracked_area = part.cracked_area;
+    outcome_.cracked_area_by_direction = part.cracked_area_by_direction;
+    outcome_.dissipated_energy += part.dissipated_energy;
+    for (const int block : part.free_blocks)
+      if (std::find(outcome_.free_blocks.begin(), outcome_.free_blocks.end(), block) == outcome_.free_blocks.end())
+        outcome_.free_blocks.push_back(block);
+    for (const CrackEvent& event : part.events) outcome_.events.push_back(in_time(event, seconds(event.load_factor)));
+  }
+  CrackEvent in_time(CrackEvent event, double seconds) const {
+    event.seconds = seconds;
+    event.load_factor = seconds / duration_of(stage());
+    return event;
+  }
+
+  void solve_stage(const CoupledSolve& how) {
+    const std::vector<double> times = balance_times(how);
+    increments_ = static_cast<int>(times.size());
+    const bool loads = loads_change(problem_.model, stage_), contacts = problem_.contacts.count() > 0;
+    const bool on_path = how.increments > 1 || problem_.backend->size(Field::history) > 0 ||
+                         CrackEvents(problem_).breakable();
+    FractureLinks balancing = links_for(how.relaxation);
+    Start start = present();
+    warm_body();
+    CoupledLinks links;
+    links.take_over = [&] {
+      if (on_path) start = present();
+      take_temperature();
+    };
+    links.balance = [&](int number) {
+      increment_ = number;
+      now_ = times[number];
+      out_of_balance_ = 0;
+      const double before = number > 0 ? times[number - 1] : 0;
+      // Bodies that float are held for one balance only.
+      if (number == 0 || loads || contacts) balancing.surface_load = set_conditions();
+      const int first = static_increments(problem_, {});
+      balancing.cracked = [&](const CrackEvent& event, double cracked_fraction) {
+        cracked_fraction_ = cracked_fraction;
+        observer_.crack(stage().name, in_time(event, before + event.load_factor * (now_ - before)));
+      };
+      StageResult part;
+      balance(start, balancing, number > 0 ? (on_path ? how.increments : 0) : (first > 1 ? first : 0), part);
+      add(part, before);
+      if (part.converged && number > 0 && now_ < how.duration)
+        record({stage_, stage_ + outcome_.load_factor, outcome_.load_factor, false, now_, number});
+      return part.converged;
+    };
+    links.interrupted = [this] { return observer_.interrupted(); };
+    outcome_.converged = march_coupled(problem_, stage_, temperature_, links, outcome_);
+    result_.interrupted = result_.interrupted || outcome_.stop_reason == "interrupted";
   }
 
   static constexpr long max_static_events = 100000;
@@ -458,7 +550,8 @@ class Run {
   double thermal_load_ = 0;
   std::function<void()> after_record_;  ///< what a stage undoes once its results are written
   BlockWork block_work_;       ///< up to the end of the last stage
-  double out_of_balance_ = 0;  ///< N, largest at the start of a relaxation of this stage
+  double now_ = 0;             ///< s since the stage began, of the conditions that act
+  double out_of_balance_ = 0;  ///< N, largest at the start of a relaxation of this balance
   int increment_ = 0, increments_ = 0;
   int records_ = 0;  ///< rows of a transient thermal stage
   bool balance_told_ = false;

@@ -24,7 +24,7 @@ std::vector<double> to_machine(const Problem& problem, const std::vector<double>
 
 void check_materials(const Model& model, const Stage& stage, bool transient) {
   Complaints complaints;
-  const std::string needed_by = ", needed by thermal stage '" + stage.name + "'";
+  const std::string needed_by = ", needed by stage '" + stage.name + "'";
   for (const Material* m : materials_by_region(model)) {
     if (!m->conductivity)
       complaints.add(m->where, "material '" + m->name + "': missing 'conductivity' [W/(m K)]" + needed_by);
@@ -36,9 +36,8 @@ void check_materials(const Model& model, const Stage& stage, bool transient) {
 
 /// Loads the boundary of the stage into the backend; held nodes take their temperature at once.
 /// Returns [mesh nodes, the machine's order] 1 where held.
-std::vector<double> set_boundary(Problem& problem, const ThermalBoundary& boundary) {
+std::vector<double> set_boundary(const Problem& problem, Backend& backend, const ThermalBoundary& boundary) {
   const std::vector<int>& new_node = problem.discretisation.heat.new_node;
-  Backend& backend = *problem.backend;
   std::vector<double> temperature = backend.read(Field::temperature), held(new_node.size(), 0);
   for (std::size_t i = 0; i < boundary.fixed_nodes.size(); ++i) {
     const int n = new_node[boundary.fixed_nodes[i]];
@@ -133,12 +132,19 @@ ThermalBoundary boundary_of(const Problem& problem, const std::vector<ActingCond
   return thermal_boundary(mesh, mesh.corners, mesh.node_count(), acting);
 }
 
-/// What the boundary of a transient stage gives and takes as time goes on.
-struct BoundaryInTime {
+/// The boundary of a stage at its beginning.
+ThermalBoundary first_boundary(const Problem& problem, int stage) {
+  return boundary_of(problem, acting_conditions(problem.model, stage, stage_times(problem.model)[stage].begin));
+}
+
+}  // namespace
+
+/// What the boundary gives and takes as time goes on.
+struct HeatMarch::BoundaryInTime {
   TimeParts heat, given;
   double begin;  ///< s, of the stage
 
-  BoundaryInTime(const Problem& problem, int stage)
+  BoundaryInTime(const Problem& problem, Backend& backend, int stage)
       : heat(problem.model, stage,
              [&](const auto& acting) { return to_machine(problem, boundary_of(problem, acting).heat); }),
         given(problem.model, stage,
@@ -150,8 +156,8 @@ struct BoundaryInTime {
                 return to_machine(problem, temperature);
               }),
         begin(stage_times(problem.model)[stage].begin) {
-    problem.backend->write_parts(Field::heat, heat.parts());
-    problem.backend->write_parts(Field::given_temperature, given.parts());
+    backend.write_parts(Field::heat, heat.parts());
+    backend.write_parts(Field::given_temperature, given.parts());
   }
 
   bool changing() const { return heat.changing() || given.changing(); }
@@ -170,38 +176,45 @@ struct BoundaryInTime {
   }
 };
 
-/// Steps of a transient, and the capacity that they need. `period`: the shortest of what changes in time, s.
-ThermalSteps set_up_march(Problem& problem, const ThermalSolve& solve, const std::vector<double>& held, double period) {
-  Backend& backend = *problem.backend;
-  const Mesh& mesh = problem.model.mesh;
-  std::vector<double> capacity = to_machine(problem, lumped_capacity(problem.model, mesh.corners, mesh.node_count()));
-  const double longest =
-      std::min({largest_step(backend, held, capacity), solve.duration / least_steps, period / steps_of_period});
-  const long steps = static_cast<long>(std::ceil(solve.duration / longest));
+HeatMarch::HeatMarch(const Problem& problem, Backend& backend, int stage) : backend_(backend) {
+  const Model& model = problem.model;
+  check_materials(model, model.stages[stage], true);
+  const std::vector<double> held = set_boundary(problem, backend, first_boundary(problem, stage));
+  const Mesh& mesh = model.mesh;
+  std::vector<double> capacity = to_machine(problem, lumped_capacity(model, mesh.corners, mesh.node_count()));
+  longest_ = std::min({largest_step(backend, held, capacity), duration_of(model.stages[stage]) / least_steps,
+                       shortest_period(model, stage) / steps_of_period});
   for (double& c : capacity) c = 1 / c;
   backend.write(Field::inverse_capacity, capacity);
-  return {steps, solve.duration / static_cast<double>(steps)};
+  boundary_ = std::make_unique<BoundaryInTime>(problem, backend, stage);
 }
 
-ThermalResult march(Problem& problem, const ThermalSolve& solve, const ThermalSteps& steps,
-                    const BoundaryInTime& in_time, const ThermalWatch& watch) {
-  Backend& backend = *problem.backend;
+HeatMarch::~HeatMarch() = default;
+
+ThermalSteps HeatMarch::steps(double from, double to) const {
+  const long count = static_cast<long>(std::ceil((to - from) / longest_));
+  return {count, (to - from) / static_cast<double>(count)};
+}
+
+ThermalResult HeatMarch::march(double from, double to, const ThermalWatch& watch) {
+  const ThermalSteps steps = this->steps(from, to);
   ThermalResult result;
   Controls controls;
   controls.time_step = result.time_step = steps.length;
   while (result.steps < steps.count) {
-    in_time.set(backend, static_cast<double>(result.steps) * controls.time_step, controls.time_step);
-    const int together = in_time.changing() ? 1 : static_cast<int>(std::min(steps_between_looks, steps.count - result.steps));
-    backend.march_heat(controls, together);
+    boundary_->set(backend_, from + static_cast<double>(result.steps) * steps.length, steps.length);
+    const int together =
+        boundary_->changing() ? 1 : static_cast<int>(std::min(steps_between_looks, steps.count - result.steps));
+    backend_.march_heat(controls, together);
     result.steps += together;
     const double fraction = static_cast<double>(result.steps) / static_cast<double>(steps.count);
-    if (watch && watch({result.steps, fraction, fraction * solve.duration, 0})) {
+    if (watch && watch({result.steps, fraction, from + fraction * (to - from), 0})) {
       result.interrupted = true;
       result.stop_reason = "interrupted";
       return result;
     }
   }
-  for (const double t : backend.read(Field::temperature))
+  for (const double t : backend_.read(Field::temperature))
     if (!std::isfinite(t)) {
       result.stop_reason = "not finite";
       return result;
@@ -210,8 +223,6 @@ ThermalResult march(Problem& problem, const ThermalSolve& solve, const ThermalSt
   result.stop_reason = "converged";
   return result;
 }
-
-}  // namespace
 
 void prescribe_temperature(const Model& model, int stage, std::vector<double>& temperature) {
   const Mesh& mesh = model.mesh;
@@ -249,30 +260,38 @@ std::vector<double> read_temperature(const Problem& problem) {
   return mesh_order;
 }
 
-void write_temperature(Problem& problem, const std::vector<double>& temperature) {
-  problem.backend->write(Field::temperature, to_machine(problem, temperature));
+void write_temperature(const Problem& problem, Backend& backend, const std::vector<double>& temperature) {
+  backend.write(Field::temperature, to_machine(problem, temperature));
 }
 
-ThermalSteps thermal_steps(Problem& problem, int stage_index) {
-  const Model& model = problem.model;
-  const Stage& stage = model.stages[stage_index];
-  const ThermalSolve& solve = std::get<ThermalSolve>(stage.solve);
-  check_materials(model, stage, !solve.steady);
-  const ThermalBoundary boundary =
-      boundary_of(problem, acting_conditions(model, stage_index, stage_times(model)[stage_index].begin));
-  if (solve.steady && boundary.fixed_nodes.empty() && boundary.films.empty())
+namespace {
+
+/// Throws DeckError: nothing ties the steady stage to a temperature.
+void set_up_steady(Problem& problem, int stage_index) {
+  const Stage& stage = problem.model.stages[stage_index];
+  check_materials(problem.model, stage, false);
+  const ThermalBoundary boundary = first_boundary(problem, stage_index);
+  if (boundary.fixed_nodes.empty() && boundary.films.empty())
     throw DeckError(stage.where, "stage '" + stage.name +
                                      "': a steady temperature needs a fixed_temperature or a convection somewhere; "
                                      "without one every level of temperature is in balance");
-  const std::vector<double> held = set_boundary(problem, boundary);
-  return solve.steady ? ThermalSteps{} : set_up_march(problem, solve, held, shortest_period(model, stage_index));
+  set_boundary(problem, *problem.backend, boundary);
 }
 
-ThermalResult solve_thermal(Problem& problem, int stage_index, const ThermalWatch& watch) {
-  const auto& solve = std::get<ThermalSolve>(problem.model.stages[stage_index].solve);
-  const ThermalSteps steps = thermal_steps(problem, stage_index);
-  const BoundaryInTime in_time(problem, stage_index);
-  return solve.steady ? solve_steady(problem, solve, watch) : march(problem, solve, steps, in_time, watch);
+}  // namespace
+
+ThermalSteps thermal_steps(Problem& problem, int stage) {
+  const auto& solve = std::get<ThermalSolve>(problem.model.stages[stage].solve);
+  if (!solve.steady) return HeatMarch(problem, *problem.backend, stage).steps(0, solve.duration);
+  set_up_steady(problem, stage);
+  return {};
+}
+
+ThermalResult solve_thermal(Problem& problem, int stage, const ThermalWatch& watch) {
+  const auto& solve = std::get<ThermalSolve>(problem.model.stages[stage].solve);
+  if (!solve.steady) return HeatMarch(problem, *problem.backend, stage).march(0, solve.duration, watch);
+  set_up_steady(problem, stage);
+  return solve_steady(problem, solve, watch);
 }
 
 }  // namespace ashlar

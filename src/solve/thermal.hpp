@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct ThermalResult {
 
 struct ThermalProgress {
   long step = 0;
-  double fraction = 0;  ///< of the stage: exact for transients, estimated for steady stages
+  double fraction = 0;  ///< of the march: exact for transients, estimated for steady stages
   double time = 0;      ///< s since the stage began; 0 in steady stages
   double ratio = 0;     ///< steady: norm of the residual over its start
 };
@@ -34,13 +35,32 @@ void prescribe_temperature(const Model& model, int stage, std::vector<double>& t
 
 /// Temperature of the present state, degC, [mesh nodes] in the mesh's own order.
 std::vector<double> read_temperature(const Problem& problem);
-void write_temperature(Problem& problem, const std::vector<double>& temperature);
+void write_temperature(const Problem& problem, Backend& backend, const std::vector<double>& temperature);
 
-/// Steps of a transient stage; none of a steady one, whose iterations only solving tells.
+/// Steps of a transient; none of a steady stage, whose iterations only solving tells.
 struct ThermalSteps {
   long count = 0;
   double length = 0;  ///< s
 };
+
+/// The transient of a thermal or coupled stage, piece by piece in time, from the temperature in a backend.
+class HeatMarch {
+ public:
+  /// Sets stage `stage` (0-based) up in the backend; both outlive this. Throws DeckError: a material without
+  /// conductivity or heat capacity.
+  HeatMarch(const Problem& problem, Backend& backend, int stage);
+  ~HeatMarch();
+  /// Times are s since the stage began.
+  ThermalSteps steps(double from, double to) const;
+  ThermalResult march(double from, double to, const ThermalWatch& watch = {});
+
+ private:
+  struct BoundaryInTime;
+  Backend& backend_;
+  double longest_;  ///< s, of a step
+  std::unique_ptr<BoundaryInTime> boundary_;
+};
+
 /// Sets thermal stage `stage` (0-based) up in the backend and says how it will be marched through. Throws DeckError as
 /// solve_thermal does.
 ThermalSteps thermal_steps(Problem& problem, int stage);

@@ -18,7 +18,13 @@ std::vector<const InTime*> changing_numbers(const Model& model, int stage) {
 
 }  // namespace
 
-bool conditions_change(const Model& model, int stage) { return !changing_numbers(model, stage).empty(); }
+bool loads_change(const Model& model, int stage) {
+  const StageTimes times = stage_times(model)[stage];
+  for (const ActingCondition& a : acting_conditions(model, stage))
+    for (const InTime& number : a.condition->in_time)
+      if (!gives_heat(*a.condition) && changes(number.table, times)) return true;
+  return false;
+}
 
 double shortest_period(const Model& model, int stage) {
   double shortest = std::numeric_limits<double>::infinity();

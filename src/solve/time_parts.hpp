@@ -26,8 +26,8 @@ class TimeParts {
   std::vector<std::vector<double>> parts_;
 };
 
-/// Whether a number of a condition that acts in the stage changes during it.
-bool conditions_change(const Model& model, int stage);
+/// Whether a load, support or displacement that acts in the stage changes during it.
+bool loads_change(const Model& model, int stage);
 /// The shortest period of those numbers, s; infinite without one.
 double shortest_period(const Model& model, int stage);
 

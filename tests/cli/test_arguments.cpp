@@ -49,6 +49,21 @@ TEST(Arguments, WrongValuesSayWhatIsExpected) {
   EXPECT_EQ(complaint({"run", "dam.lua", "--force=yes"}), "--force takes no value");
 }
 
+TEST(Arguments, LanesTakeADeviceEach) {
+  const Arguments a = parse_arguments({"run", "dam.lua", "--devices", "stress=cuda:1,thermal=cpu"});
+  EXPECT_EQ(a.device.kind, DeviceChoice::cuda);
+  EXPECT_EQ(a.device.index, 1);
+  ASSERT_TRUE(a.heat_device);
+  EXPECT_EQ(a.heat_device->kind, DeviceChoice::cpu);
+  EXPECT_FALSE(parse_arguments({"run", "dam.lua", "--device", "cpu"}).heat_device);
+  for (const char* lanes : {"", "cuda:0", "stress=cuda:0", "thermal=cpu,stress=cpu", "stress=cpu,thermal=cpu,", "stress=cpu,thermal=gpu"})
+    EXPECT_EQ(complaint({"run", "dam.lua", "--devices", lanes}),
+              std::string("--devices takes stress=DEVICE,thermal=DEVICE, such as stress=cuda:0,thermal=cuda:1, not '") +
+                  lanes + "'");
+  EXPECT_EQ(complaint({"run", "dam.lua", "--devices=stress=cpu,thermal=cpu", "--device=cpu"}),
+            "give either --device or --devices");
+}
+
 TEST(Arguments, TooFewAndTooManyOperandsShowTheUsage) {
   EXPECT_EQ(complaint({"run"}), "usage: ashlar run DECK [options], see 'ashlar help'");
   EXPECT_EQ(complaint({"run", "a.lua", "b.lua"}), "usage: ashlar run DECK [options], see 'ashlar help'");

@@ -43,7 +43,7 @@ class DamHeat {
     model.stages.resize(1);
     model.stages[0].solve = solve;
     problem = std::make_unique<Problem>(model, RunOptions{Precision::double_precision, 1});
-    write_temperature(*problem, std::vector<double>(model.mesh.node_count(), model.reference_temperature));
+    write_temperature(*problem, *problem->backend, std::vector<double>(model.mesh.node_count(), model.reference_temperature));
     result = solve_thermal(*problem, 0);
     temperature = read_temperature(*problem);
   }

@@ -105,7 +105,7 @@ class HeatRun {
  private:
   void begin(double start, const RunOptions& options) {
     problem = std::make_unique<Problem>(model, options);
-    write_temperature(*problem, std::vector<double>(model.mesh.node_count(), start));
+    write_temperature(*problem, *problem->backend, std::vector<double>(model.mesh.node_count(), start));
   }
 };
 
@@ -237,7 +237,7 @@ TEST(Steady, a_material_without_conductivity_is_an_error_that_names_it) {
     FAIL();
   } catch (const DeckError& error) {
     EXPECT_STREQ(error.what(),
-                 "dam.lua:7: material 'concrete': missing 'conductivity' [W/(m K)], needed by thermal stage 'steady'");
+                 "dam.lua:7: material 'concrete': missing 'conductivity' [W/(m K)], needed by stage 'steady'");
   }
 }
 
@@ -264,7 +264,7 @@ std::pair<double, double> forced_march(double step_over_limit, int steps) {
   std::vector<double> start(run.model.mesh.node_count(), 0);
   for (int n = 0; n < run.model.mesh.node_count(); ++n)
     if (std::abs(run.model.mesh.points[n].x - 0.5) < 1e-9) start[n] = 1;
-  write_temperature(*run.problem, start);
+  write_temperature(*run.problem, *run.problem->backend, start);
   Controls controls;
   controls.time_step = step_over_limit * limit;
   double low = 0, high = 1;
