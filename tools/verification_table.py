@@ -82,7 +82,7 @@ def runs(names=()):
     return found
 
 
-def solve(program, run, folder, threads=None, precision=None):
+def solve(program, run, folder, threads=None, precision=None, devices=None):
     """Runs a deck into `folder`, which must not exist."""
     command = [program, "run", str(run.deck), "--out", str(folder)]
     for argument in run.arguments:
@@ -91,6 +91,8 @@ def solve(program, run, folder, threads=None, precision=None):
         command += ["--threads", str(threads)]
     if precision:
         command += ["--precision", precision]
+    if devices:
+        command += ["--devices", devices]
     # Threads that spin while they wait slow each other where there are more of them than cores.
     done = subprocess.run(command, capture_output=True, text=True, check=False,
                           env={**os.environ, "OMP_WAIT_POLICY": "passive"})

@@ -1,7 +1,7 @@
--- Gravity dam of 100 m through two years: own weight, the temperature that its site gives it in the mean, then air, water
+-- Gravity dam of 100 m through a year: own weight, the temperature that its site gives it in the mean, then air, water
 -- and the level of the reservoir with the seasons, marched together with the stress. Its joint on the rock may crack.
 local args = deck.args {
-  years = { default = 2, doc = "how long" },
+  years = { default = 1, doc = "how long" },
   size  = { default = 6, unit = m, doc = "element size in the dam" },
   every = { default = 365 / 24, unit = days, doc = "between two equilibria" },
 }
@@ -70,7 +70,7 @@ output "fields" { record = { "displacement", "stress", "principal_stress", "temp
 picture "temperature" { of = "temperature", stage = "years" }
 picture "movement"    { of = "displacement", stage = "years", deform = 500 }
 
-expect "the dam stands through the years" { that = function(result) return result.stage("years").converged end }
+expect "the dam stands through the year" { that = function(result) return result.stage("years").converged end }
 expect "the crest follows the seasons" { that = function(result)
   local x = result.history("crest").values("displacement.x", "years")
   local low, high = math.huge, -math.huge

@@ -44,13 +44,6 @@ const Relaxation* relaxation_of(const Stage& stage) {
   return nullptr;
 }
 
-std::string time_text(double seconds) {
-  if (seconds < 1e-3) return text("%.3g us", 1e6 * seconds);
-  if (seconds < 1) return text("%.3g ms", 1e3 * seconds);
-  if (seconds < 3600) return text("%.3g s", seconds);
-  return seconds < 86400 ? text("%.3g h", seconds / 3600) : text("%.3g days", seconds / 86400);
-}
-
 /// One digit and zeros: 20 000.
 std::string rounded(double steps) {
   const double power = std::pow(10, std::floor(std::log10(steps)));

@@ -53,7 +53,7 @@ void ProgressLines::progress(const Progress& p) {
 void ProgressLines::crack(const std::string& stage, const CrackEvent& event) {
   if (++events_ > 1) return;  // the log has them all, the summary counts them
   const std::string when =
-      event.seconds > 0 ? text("after %.4g s", event.seconds) : text("at load factor %.4f", event.load_factor);
+      event.seconds > 0 ? "after " + time_text(event.seconds) : text("at load factor %.4f", event.load_factor);
   print(text("stage %s: first crack %s, %s, in %s, at %s", stage.c_str(), when.c_str(), event.interface.c_str(),
              event.mode.c_str(), place_in_metres(event.place).c_str()));
 }

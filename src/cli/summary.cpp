@@ -49,7 +49,7 @@ void describe_stage(Page& page, int number, const StageResult& stage) {
                            (lanes.beside ? text("%s of them beside the stress (%.0f %%)",
                                                 duration_text(lanes.both).c_str(), 100 * lanes.both / lanes.heat)
                                          : "in turns with the stress"));
-    if (stage.load_factor < 1) page.line("stage", text("  stopped after %.6g days", stage.seconds / 86400));
+    if (stage.load_factor < 1) page.line("stage", "  stopped after " + time_text(stage.seconds));
     return;
   }
   if (stage.load_factor < 1) page.line("stage", text("  stopped at load factor %.4f", stage.load_factor));
@@ -57,7 +57,7 @@ void describe_stage(Page& page, int number, const StageResult& stage) {
 
 std::string event_text(const CrackEvent& event) {
   const std::string when =
-      event.seconds > 0 ? text("after %.4g s", event.seconds) : text("load factor %.4f", event.load_factor);
+      event.seconds > 0 ? "after " + time_text(event.seconds) : text("load factor %.4f", event.load_factor);
   return text("%s, %s, in %s, at %s", when.c_str(), event.interface.c_str(), event.mode.c_str(),
               place_in_metres(event.place).c_str());
 }

@@ -25,6 +25,13 @@ std::string duration_text(double seconds) {
   return text("%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
+std::string time_text(double seconds) {
+  if (seconds < 1e-3) return text("%.3g us", 1e6 * seconds);
+  if (seconds < 1) return text("%.3g ms", 1e3 * seconds);
+  if (seconds < 3600) return text("%.3g s", seconds);
+  return seconds < 86400 ? text("%.3g h", seconds / 3600) : text("%.3g days", seconds / 86400);
+}
+
 std::string count_text(long count) {
   const std::string digits = std::to_string(count);
   std::string grouped;

@@ -12,6 +12,9 @@ namespace ashlar {
 /// "850 ms", "12.3 s", "04:10", "2:15:00".
 std::string duration_text(double seconds);
 
+/// Time in a model: "850 us", "12.3 s", "1.5 h", "30 days".
+std::string time_text(double seconds);
+
 /// "312", "12 480", "2 500 000": thin groups of three.
 std::string count_text(long count);
 

@@ -493,7 +493,8 @@ const std::vector<NounRule>& nouns() {
        .doc = "Heat and quasi-static stress together in time, such as seasons: heat goes on in its own steps, and at "
               "times `every` apart the body comes to equilibrium with the temperature and the conditions of that "
               "moment, from where the last equilibrium left it. Begins with the equilibrium of its first moment. "
-              "Histories have a row for every such time. On two devices, or beside each other on one: --devices.",
+              "Histories have a row for every such time, from the first. On two devices, or beside each other on one: "
+              "--devices.",
        .keys = Keys{number("duration", dimension::time, range::positive, "how long").need(),
                     number("every", dimension::time, range::positive,
                            "between equilibria, the last is at the end; a twelfth of the duration unless given"),

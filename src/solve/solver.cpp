@@ -133,7 +133,7 @@ class Run {
     if (std::holds_alternative<ThermalSolve>(stage().solve)) return false;
     const long number = is_dynamic(stage()) || is_coupled(stage()) ? moment.record : std::lround(moment.load_factor * increments_);
     for (const Output& o : problem_.model.outputs)
-      if (o.every > 0 && number % o.every == 0 && !moment.stage_end) return true;
+      if (o.every > 0 && number > 0 && number % o.every == 0 && !moment.stage_end) return true;
     return false;
   }
 
@@ -523,7 +523,7 @@ class Run {
       StageResult part;
       balance(start, balancing, number > 0 ? (on_path ? how.increments : 0) : (first > 1 ? first : 0), part);
       add(part, before);
-      if (part.converged && number > 0 && now_ < how.duration)
+      if (part.converged && now_ < how.duration)
         record({stage_, stage_ + outcome_.load_factor, outcome_.load_factor, false, now_, number});
       return part.converged;
     };

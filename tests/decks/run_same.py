@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs decks several times and compares the results.
 
-run_same.py bits ASHLAR      1, 2 and 3 threads and a second run: every dataset and every history has the same bytes
+run_same.py bits ASHLAR      1, 2 and 3 threads, a second run, lanes beside each other: every dataset and every history has the same bytes
 run_same.py answer ASHLAR    a static answer does not depend on start, damping and pseudo time step, to 1e-6
 """
 import itertools
@@ -35,9 +35,9 @@ def contents(folder):
     return found
 
 
-def run(program, folder, deck, arguments, threads=None):
+def run(program, folder, deck, arguments, threads=None, devices=None):
     """Results of a run; an expect that fails (exit code 4) still leaves them."""
-    outcome = solve(program, Run(DECKS / f"{deck}.lua", "", "", arguments), folder, threads)
+    outcome = solve(program, Run(DECKS / f"{deck}.lua", "", "", arguments), folder, threads, devices=devices)
     if outcome.code != 0:
         sys.exit(f"{deck} {arguments}: exit code {outcome.code}\n{outcome.output}")
     return folder
@@ -46,10 +46,12 @@ def run(program, folder, deck, arguments, threads=None):
 def same_bits(program, folder):
     failed = 0
     for deck, arguments in (("d0_elastic", []), ("d0_elastic", ["start=rest"]), ("d0_heat", ["transient=true", "fine=true"]), ("d0_staged", []),
-                            ("cooled_column", [])):
+                            ("cooled_column", []), ("yearly_ground", ["film=15"])):
         first = None
+        lanes = "stress=cpu,thermal=cpu" if deck == "yearly_ground" else None
         for number, threads in enumerate((1, 2, 3, 2)):
-            now = contents(run(program, folder / " ".join([deck, *arguments, str(number)]), deck, arguments, threads))
+            now = contents(run(program, folder / " ".join([deck, *arguments, str(number)]), deck, arguments, threads,
+                               lanes if number > 1 else None))
             first = first or now
             different = sorted(name for name in first.keys() | now.keys() if first.get(name) != now.get(name))
             failed += bool(different)
