@@ -121,6 +121,25 @@ TEST(Coupled, lanes_beside_each_other_give_the_bits_of_lanes_in_turns) {
   }
 }
 
+TEST(Coupled, nvidia_devices_give_the_bits_of_the_cpu_in_turns_and_beside_each_other) {
+  const CudaSupport cuda = cuda_support();
+  if (cuda.devices.empty()) GTEST_SKIP() << cuda.missing;
+  const DeviceChoice first{DeviceChoice::cuda, 0}, last{DeviceChoice::cuda, static_cast<int>(cuda.devices.size()) - 1};
+  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+    const CoupledSolve coupled{30 * day, 5 * day, 1, {precision == Precision::double_precision ? 1e-8 : 1e-5}};
+    const Model model = slab({stage("month", coupled)});
+    const Outcome cpu = run(model, {precision, 1});
+    for (const RunOptions& devices : {RunOptions{precision, 1, first}, RunOptions{precision, 1, first, first},
+                                      RunOptions{precision, 1, first, last}, RunOptions{precision, 1, last, first}}) {
+      const Outcome outcome = run(model, devices);
+      EXPECT_EQ(outcome.result.stages[0].lanes->beside, devices.heat_device.has_value());
+      EXPECT_EQ(outcome.displacement, cpu.displacement);
+      EXPECT_EQ(outcome.temperature, cpu.temperature);
+      EXPECT_EQ(last_row_of(outcome, "month"), last_row_of(cpu, "month"));
+    }
+  }
+}
+
 /// A bar held at both ends that cools evenly tears in its joint, and the time says when: at E alpha dT = T.
 TEST(Coupled, a_cooling_bar_cracks_when_its_stress_reaches_the_strength) {
   Model m;
