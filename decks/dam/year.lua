@@ -3,6 +3,7 @@
 local args = deck.args {
   years = { default = 1, doc = "how long" },
   size  = { default = 6, unit = m, doc = "element size in the dam" },
+  strength = { default = 0.5, unit = MPa, doc = "tensile strength of the joint, half of its cohesion" },
   every = { default = 365 / 24, unit = days, doc = "between two equilibria" },
 }
 local height, base, crest, slice = 100*m, 78*m, 14*m, 6*m
@@ -34,7 +35,10 @@ material "granite" {
   region = "rock", density = 2650*kg/m^3, young = 30*GPa, poisson = 0.25,
   conductivity = 3.0*W/(m*K), heat_capacity = 850*J/(kg*K), expansion = 0.8e-5/K,
 }
-joint "dam_base" { between = { "dam", "rock" }, law = "brittle", tensile_strength = 0.5*MPa, cohesion = 1*MPa, friction = 45*deg }
+joint "dam_base" {
+  between = { "dam", "rock" }, law = "brittle", tensile_strength = args.strength, cohesion = 2 * args.strength,
+  friction = 45*deg,
+}
 
 fix "base"    { surface = "bottom", x = 0, y = 0, z = 0 }
 fix "rollers" { surface = "far_field", normal = true }
