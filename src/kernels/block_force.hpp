@@ -59,6 +59,14 @@ struct PointStress {
       return law.stress(strain);
     }
   }
+  /// See gauss_point_force().
+  ASHLAR_HD Sym3<V> weighted(int g, const Sym3<V>& strain, const V& det, const V& inverse, const V& weight) const
+      requires(Point::history_size == 0) {
+    if constexpr (staged)
+      return law.weighted_stress(law.without_heat(strain, warming[g] * det), inverse, weight);
+    else
+      return law.weighted_stress(strain, inverse, weight);
+  }
 };
 
 /// Corner forces of one element; x, u, f are [component][corner]. See PointStress for `points`.
@@ -71,7 +79,8 @@ ASHLAR_HD void element_force(const Point& law, const V (&x)[3][Element<V>::corne
 }
 
 template <class Real>
-ASHLAR_HD Real length_across(const BodyView<Real>& body, const BatchView& batch, int element, const Vec3<Real>& normal) {
+ASHLAR_HD Real length_across(const BodyView<Real>& body, const BatchView& batch, int element,
+                             const Vec3<Real>& normal) {
   Real sum = 0;
   for (int k = 0; k < batch.corners; ++k) {
     const Real* gradient = body.corner_gradient + 3 * batch.slot(element, batch.corners, k);

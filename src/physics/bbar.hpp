@@ -14,7 +14,7 @@ struct BBar : Base {
   /// Corner forces, N; see Hex8::force.
   template <class Stress>
   ASHLAR_HD static void force(const V (&x)[3][corners], const V (&u)[3][corners], V (&f)[3][corners], Stress& stress) {
-    const V zero = V(S(0)), third = V(S(1.0 / 3));
+    const V zero = V(S(0)), third = V(S(1.0 / 3)), weight = V(S(Lines::factor));
     const ElementGeometry<Base, V> geometry(x);
     typename Lines::Table moved[3], shape_forces[3], volume_forces[3];
     for (int i = 0; i < 3; ++i) {
@@ -63,7 +63,7 @@ struct BBar : Base {
       V from_volume[corners];
       Lines::to_corners(shape_forces[i], f[i]);
       Lines::to_corners(volume_forces[i], from_volume);
-      for (int k = 0; k < corners; ++k) f[i][k] = fma(pressure, from_volume[k], f[i][k]);
+      for (int k = 0; k < corners; ++k) f[i][k] = weight * fma(pressure, from_volume[k], f[i][k]);
     }
   }
 };

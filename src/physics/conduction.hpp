@@ -14,12 +14,12 @@ ASHLAR_HD void heat_flow(const V (&x)[3][Element::corners], const V (&temperatur
   const ElementGeometry<Element, V> geometry(x);
   const typename Lines::Table heat = Lines::of(temperature);
   typename Lines::Table through;
-  const V zero = V(S(0));
+  const V zero = V(S(0)), weighted = V(S(Lines::factor)) * conductivity;
   for (int g = 0; g < Element::gauss_points; ++g) Lines::put(through, g, {zero, zero, zero});
   ASHLAR_UNROLL
   for (int g = 0; g < Element::gauss_points; ++g) {
     const Jacobian<V> j = geometry.jacobian_at(g);
-    const V by_volume = conductivity * reciprocal(j.det);
+    const V by_volume = weighted * reciprocal(j.det);
     const Vec3<V> h = Lines::at(heat, g);
     Vec3<V> flux;
     for (int i = 0; i < 3; ++i) flux[i] = by_volume * fma(h.z, j.ab[i], fma(h.y, j.ca[i], h.x * j.bc[i]));

@@ -8,7 +8,7 @@
 namespace ashlar {
 
 /// Specialised per shape. `factor` is the quadrature weight with the scale of the table in it: the sum over Gauss
-/// points of factor * det is the volume, and corner values leave a table through factor as well.
+/// points of factor * det is the volume, and what goes back to corners is to be multiplied by it.
 template <class Element>
 struct GaussTable;
 
@@ -32,10 +32,10 @@ struct GaussTable<Hex8<V>> {
     t.eta[Hex8<V>::eta_line(g)] = d.y;
     t.zeta[Hex8<V>::zeta_line(g)] = d.z;
   }
-  /// Transpose of of(), times factor.
+  /// Transpose of of().
   ASHLAR_HD static void to_corners(const Table& t, V (&values)[8]) {
     V ordered[8];
-    Hex8<V>::gather(t, V(Scalar<V>(factor)), ordered);
+    Hex8<V>::gather(t, ordered);
     for (int k = 0; k < 8; ++k) values[k] = ordered[Hex8<V>::bit_order(k)];
   }
 };
@@ -52,9 +52,7 @@ struct GaussTable<Wedge6<V>> {
     t.s[g / 3] = d.y;
     t.zeta[g % 3] = d.z;
   }
-  ASHLAR_HD static void to_corners(const Table& t, V (&values)[6]) {
-    Wedge6<V>::gather(t, V(Scalar<V>(factor)), values);
-  }
+  ASHLAR_HD static void to_corners(const Table& t, V (&values)[6]) { Wedge6<V>::gather(t, values); }
 };
 
 template <class V>
@@ -65,7 +63,7 @@ struct GaussTable<Tet4<V>> {
   ASHLAR_HD static Table of(const V (&values)[4]) { return Tet4<V>::derivatives(values); }
   ASHLAR_HD static Vec3<V> at(const Table& t, int) { return {t.r, t.s, t.t}; }
   ASHLAR_HD static void put(Table& t, int, const Vec3<V>& d) { t = {d.x, d.y, d.z}; }
-  ASHLAR_HD static void to_corners(const Table& t, V (&values)[4]) { Tet4<V>::gather(t, V(Scalar<V>(factor)), values); }
+  ASHLAR_HD static void to_corners(const Table& t, V (&values)[4]) { Tet4<V>::gather(t, values); }
 };
 
 /// Tables of the three coordinates and the Jacobian they give at one Gauss point.

@@ -54,8 +54,16 @@ struct Elastic {
     /// Stress, Pa, from strain without heat (engineering shear).
     template <class V>
     ASHLAR_HD Sym3<V> stress(const Sym3<V>& e) const {
-      const V pressure = V(lambda) * (e.xx + e.yy + e.zz);
-      const V twice = V(shear + shear), mu = V(shear);
+      return hooke(e, V(lambda), V(shear));
+    }
+    /// weight * stress of the strain e * inverse.
+    template <class V>
+    ASHLAR_HD Sym3<V> weighted_stress(const Sym3<V>& e, const V& inverse, const V& weight) const {
+      return hooke(e, weight * V(lambda) * inverse, weight * V(shear) * inverse);
+    }
+    template <class V>
+    ASHLAR_HD static Sym3<V> hooke(const Sym3<V>& e, const V& lambda, const V& mu) {
+      const V pressure = lambda * (e.xx + e.yy + e.zz), twice = mu + mu;
       return {fma(twice, e.xx, pressure),
               fma(twice, e.yy, pressure),
               fma(twice, e.zz, pressure),

@@ -46,20 +46,20 @@ struct Hex8 {
     return t;
   }
 
-  /// Transpose of derivatives(): corner values in bit order, times the factor `s`.
-  ASHLAR_HD static void gather(const Table& t, const V& s, V (&f)[8]) {
+  /// Transpose of derivatives(): corner values in bit order.
+  ASHLAR_HD static void gather(const Table& t, V (&f)[8]) {
     V e[4], h[4], k[4];
     to_gauss(t.xi[0], t.xi[1], t.xi[2], t.xi[3], e);
     to_gauss(t.eta[0], t.eta[1], t.eta[2], t.eta[3], h);
     to_gauss(t.zeta[0], t.zeta[1], t.zeta[2], t.zeta[3], k);
-    f[0] = -(e[0] + h[0] + k[0]) * s;
-    f[1] = (e[0] - h[1] - k[1]) * s;
-    f[2] = (h[0] - e[1] - k[2]) * s;
-    f[3] = (e[1] + h[1] - k[3]) * s;
-    f[4] = (k[0] - e[2] - h[2]) * s;
-    f[5] = (e[2] - h[3] + k[1]) * s;
-    f[6] = (h[2] - e[3] + k[2]) * s;
-    f[7] = (e[3] + h[3] + k[3]) * s;
+    f[0] = -(e[0] + h[0] + k[0]);
+    f[1] = e[0] - h[1] - k[1];
+    f[2] = h[0] - e[1] - k[2];
+    f[3] = e[1] + h[1] - k[3];
+    f[4] = k[0] - e[2] - h[2];
+    f[5] = e[2] - h[3] + k[1];
+    f[6] = h[2] - e[3] + k[2];
+    f[7] = e[3] + h[3] + k[3];
   }
 
   ASHLAR_HD static int xi_line(int gauss) { return gauss >> 1; }                         // eta + 2 zeta
@@ -88,10 +88,10 @@ struct Hex8 {
       Vec3<V> pa{tp[0].xi[p], tp[1].xi[p], tp[2].xi[p]};
       Vec3<V> pb{tp[0].eta[q], tp[1].eta[q], tp[2].eta[q]};
       Vec3<V> pc{tp[0].zeta[r], tp[1].zeta[r], tp[2].zeta[r]};
-      gauss_point_force<V>(g, {tx[0].xi[p], tx[1].xi[p], tx[2].xi[p]}, {tx[0].eta[q], tx[1].eta[q], tx[2].eta[q]},
-                           {tx[0].zeta[r], tx[1].zeta[r], tx[2].zeta[r]}, {tu[0].xi[p], tu[1].xi[p], tu[2].xi[p]},
-                           {tu[0].eta[q], tu[1].eta[q], tu[2].eta[q]}, {tu[0].zeta[r], tu[1].zeta[r], tu[2].zeta[r]},
-                           stress, pa, pb, pc);
+      gauss_point_force<V>(g, V(S(force_scale)), {tx[0].xi[p], tx[1].xi[p], tx[2].xi[p]},
+                           {tx[0].eta[q], tx[1].eta[q], tx[2].eta[q]}, {tx[0].zeta[r], tx[1].zeta[r], tx[2].zeta[r]},
+                           {tu[0].xi[p], tu[1].xi[p], tu[2].xi[p]}, {tu[0].eta[q], tu[1].eta[q], tu[2].eta[q]},
+                           {tu[0].zeta[r], tu[1].zeta[r], tu[2].zeta[r]}, stress, pa, pb, pc);
       for (int i = 0; i < 3; ++i) {
         tp[i].xi[p] = pa[i];
         tp[i].eta[q] = pb[i];
@@ -100,7 +100,7 @@ struct Hex8 {
     }
     for (int i = 0; i < 3; ++i) {
       V w[8];
-      gather(tp[i], V(S(force_scale)), w);
+      gather(tp[i], w);
       for (int k = 0; k < 8; ++k) f[i][k] = w[bit_order(k)];
     }
   }

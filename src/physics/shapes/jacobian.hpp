@@ -40,16 +40,23 @@ ASHLAR_HD void add_traction(const Sym3<V>& s, const Vec3<V>& n, Vec3<V>& p) {
 }
 
 /// One Gauss point of the element force: strain, law, traction through the three parametric directions.
-/// `stress(gauss, strain)` returns the stress, Pa.
+/// `stress(gauss, strain)` returns the stress, Pa. One that is linear in the strain may have instead
+/// `stress.weighted(gauss, strain times det, det, inverse of det, weight)`, weight times the stress: then only its
+/// constants are multiplied.
 template <class V, class Stress>
-ASHLAR_HD void gauss_point_force(int gauss, const Vec3<V>& a, const Vec3<V>& b, const Vec3<V>& c, const Vec3<V>& ha,
-                                 const Vec3<V>& hb, const Vec3<V>& hc, Stress& stress, Vec3<V>& pa, Vec3<V>& pb,
-                                 Vec3<V>& pc) {
+ASHLAR_HD void gauss_point_force(int gauss, const V& weight, const Vec3<V>& a, const Vec3<V>& b, const Vec3<V>& c,
+                                 const Vec3<V>& ha, const Vec3<V>& hb, const Vec3<V>& hc, Stress& stress, Vec3<V>& pa,
+                                 Vec3<V>& pb, Vec3<V>& pc) {
   const Jacobian<V> j = jacobian(a, b, c);
   const V inverse = reciprocal(j.det);
-  Sym3<V> strain = strain_times_det(j, ha, hb, hc);
-  for (int i = 0; i < 6; ++i) strain[i] = strain[i] * inverse;
-  const Sym3<V> s = stress(gauss, strain);
+  Sym3<V> strain = strain_times_det(j, ha, hb, hc), s;
+  if constexpr (requires { stress.weighted(gauss, strain, j.det, inverse, weight); }) {
+    s = stress.weighted(gauss, strain, j.det, inverse, weight);
+  } else {
+    for (int i = 0; i < 6; ++i) strain[i] = strain[i] * inverse;
+    s = stress(gauss, strain);
+    for (int i = 0; i < 6; ++i) s[i] = s[i] * weight;
+  }
   add_traction(s, j.bc, pa);
   add_traction(s, j.ca, pb);
   add_traction(s, j.ab, pc);

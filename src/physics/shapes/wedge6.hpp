@@ -38,8 +38,8 @@ struct Wedge6 {
     return t;
   }
 
-  /// Transpose of derivatives(), times the factor `scale`.
-  ASHLAR_HD static void gather(const Table& t, const V& scale, V (&f)[6]) {
+  /// Transpose of derivatives().
+  ASHLAR_HD static void gather(const Table& t, V (&f)[6]) {
     const V n = V(S(near)), w = V(S(far));
     const V r0 = fma(w, t.r[1], n * t.r[0]), r1 = fma(w, t.r[0], n * t.r[1]);
     const V s0 = fma(w, t.s[1], n * t.s[0]), s1 = fma(w, t.s[0], n * t.s[1]);
@@ -47,12 +47,12 @@ struct Wedge6 {
     for (int i = 0; i < 3; ++i)
       d[i] = fma(V(S(0.5 * area_coordinate(2, i))), t.zeta[2],
                  fma(V(S(0.5 * area_coordinate(1, i))), t.zeta[1], V(S(0.5 * area_coordinate(0, i))) * t.zeta[0]));
-    f[0] = -(r0 + s0 + d[0]) * scale;
-    f[1] = (r0 - d[1]) * scale;
-    f[2] = (s0 - d[2]) * scale;
-    f[3] = (d[0] - r1 - s1) * scale;
-    f[4] = (r1 + d[1]) * scale;
-    f[5] = (s1 + d[2]) * scale;
+    f[0] = -(r0 + s0 + d[0]);
+    f[1] = r0 - d[1];
+    f[2] = s0 - d[2];
+    f[3] = d[0] - r1 - s1;
+    f[4] = r1 + d[1];
+    f[5] = s1 + d[2];
   }
 
   /// Corner forces, N; see Hex8::force.
@@ -71,7 +71,7 @@ struct Wedge6 {
       Vec3<V> pa{tp[0].r[l], tp[1].r[l], tp[2].r[l]};
       Vec3<V> pb{tp[0].s[l], tp[1].s[l], tp[2].s[l]};
       Vec3<V> pc{tp[0].zeta[p], tp[1].zeta[p], tp[2].zeta[p]};
-      gauss_point_force<V>(g, {tx[0].r[l], tx[1].r[l], tx[2].r[l]}, {tx[0].s[l], tx[1].s[l], tx[2].s[l]},
+      gauss_point_force<V>(g, V(S(weight)), {tx[0].r[l], tx[1].r[l], tx[2].r[l]}, {tx[0].s[l], tx[1].s[l], tx[2].s[l]},
                            {tx[0].zeta[p], tx[1].zeta[p], tx[2].zeta[p]}, {tu[0].r[l], tu[1].r[l], tu[2].r[l]},
                            {tu[0].s[l], tu[1].s[l], tu[2].s[l]}, {tu[0].zeta[p], tu[1].zeta[p], tu[2].zeta[p]}, stress,
                            pa, pb, pc);
@@ -81,7 +81,7 @@ struct Wedge6 {
         tp[i].zeta[p] = pc[i];
       }
     }
-    for (int i = 0; i < 3; ++i) gather(tp[i], V(S(weight)), f[i]);
+    for (int i = 0; i < 3; ++i) gather(tp[i], f[i]);
   }
 
   static constexpr double shape(int g, int k) {
