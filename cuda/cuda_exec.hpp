@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "kernels/gather.hpp"
 #include "kernels/sum.hpp"
 #include "patch_kernels.hpp"
+#include "resident_kernel.hpp"
 
 namespace ashlar {
 
@@ -90,8 +92,7 @@ class CudaExec {
   template <template <class> class Element, bool Warm, class Point, class Real>
   void block_forces(const BodyView<Real>& body, const BatchView& batch, const Point& law, const Discretisation& d,
                     int b) const {
-    if (fits<Element, Real>(b))
-      return step_blocks<Element, Warm>(body, batch, law, d, b, StoreSum<Real>{body.force});
+    if (fits<Element, Real>(b)) return step_blocks<Element, Warm>(body, batch, law, d, b, StoreSum<Real>{body.force});
     for_each(batch.element_count, BlockForce<Element, Point, Real, Warm>{body, batch, law});
     const int first = d.blocks.patch_first_entry[d.batches[b].first_patch];
     const int last = d.blocks.patch_first_entry[d.batches[b].first_patch + d.batches[b].patch_count];
@@ -109,6 +110,48 @@ class CudaExec {
   void step_blocks(const BodyView<Real>& body, const BatchView& batch, const Point& law, const Discretisation& d, int b,
                    const NodeStep& step) const {
     patches(StressPatch<Element, Warm, Point, Real>{body, batch, law}, *blocks_, d, b, step);
+  }
+  /// Steps of a model whose patches can all run at once, in one launch; false if they cannot.
+  /// @param batches all of them, one after the other; `laws` [batches]
+  template <template <class> class Element, bool Warm, class Point, class Real>
+  bool march_blocks(const BodyView<Real>& body, const std::vector<BatchView>& batches, const std::vector<Point>& laws,
+                    const Discretisation& d, const MoveNode<Real>& step, int steps) {
+    using Work = StressPatch<Element, Warm, Point, Real>;
+    const auto kernel = march_patches<Work>;
+    int entries = 0, groups = 2048 / Work::group.threads;  // of a processor, at the very most
+    if (d.patch_count() > groups * processors_) return false;
+    for (int b = 0; b < static_cast<int>(batches.size()); ++b) entries = std::max(entries, capacity(*blocks_, b));
+    if (!exchange_) exchange_ = std::make_unique<ResidentLists>(d.blocks);
+    const std::size_t size = resident_bytes<Real>(entries, exchange_->most_places());
+    if (size > shared_bytes_) return false;
+    check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(size)),
+          "ask for shared memory");
+    check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&groups, kernel, Work::group.threads, size),
+          "ask for occupancy");
+    if (d.patch_count() > groups * processors_) return false;
+
+    const auto* const identity = reinterpret_cast<const void*>(kernel);
+    if (identity != sent_kernel_ || sent_changes_ != MachineMemory::changes) {
+      std::vector<Work> works;
+      for (std::size_t b = 0; b < batches.size(); ++b) works.push_back({body, batches[b], laws[b]});
+      const auto* first = reinterpret_cast<const std::byte*>(works.data());
+      works_.assign(std::vector<std::byte>(first, first + works.size() * sizeof(Work)));
+      message_room_.resize(4 * std::size_t(Messages<Real>::words) * d.blocks.entry_count());
+      sent_kernel_ = identity;
+      sent_changes_ = MachineMemory::changes;
+    }
+    const auto* sent = reinterpret_cast<const Work*>(works_.data());
+    int batch_count = static_cast<int>(batches.size());
+    PatchListsView lists = blocks_->view();
+    Messages<Real> messages{reinterpret_cast<typename Messages<Real>::Word*>(message_room_.data()),
+                            d.blocks.entry_count()};
+    MoveNode<Real> move = step;
+    ResidentListsView exchange = exchange_->view();
+    void* arguments[] = {&sent, &batch_count, &lists, &exchange, &messages, &entries, &move, &step_number_, &steps};
+    check(cudaLaunchCooperativeKernel(identity, d.patch_count(), Work::group.threads, arguments, size, cudaStreamPerThread),
+          "launch");
+    step_number_ += steps;
+    return true;
   }
   /// The other nodes.
   template <class Real, class NodeStep>
@@ -172,9 +215,8 @@ class CudaExec {
     const std::size_t size = patch_bytes<typename Work::Real, Work::width>(entries);
     check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(size)),
           "ask for shared memory");
-    kernel<<<d.batches[b].patch_count, patch_threads, size, cudaStreamPerThread>>>(
-        work, lists.view(), d.batches[b].first_patch, processors_ * patch_groups_per_processor<typename Work::Real>,
-        entries, step);
+    kernel<<<d.batches[b].patch_count, Work::group.threads, size, cudaStreamPerThread>>>(
+        work, lists.view(), d.batches[b].first_patch, processors_ * Work::group.per_processor, entries, step);
     check(cudaGetLastError(), "launch");
   }
   template <class Kernel>
@@ -191,6 +233,12 @@ class CudaExec {
   int processors_ = 1;
   std::unique_ptr<PatchLists> blocks_, heat_;
   CudaArray<double> sums_;
+  std::unique_ptr<ResidentLists> exchange_;
+  CudaArray<std::byte> works_;
+  const void* sent_kernel_ = nullptr;  ///< what works_ are for
+  unsigned long sent_changes_ = 0;
+  CudaArray<unsigned long long> message_room_;
+  unsigned step_number_ = 1;  ///< of the next resident step
   std::vector<Graph> graphs_;
 };
 

@@ -14,15 +14,25 @@
 /// src/kernels.
 namespace ashlar {
 
-inline constexpr int patch_threads = 128;
+/// Threads of the group that has a patch, and groups that a processor is to run at once: what registers allow.
+struct PatchGroup {
+  int threads, per_processor;
+};
+/// `light`: no law with memory.
 template <class Real>
-inline constexpr int patch_groups_per_processor = sizeof(Real) == 4 ? 4 : 2;
+constexpr PatchGroup stress_group(int corners, bool light) {
+  if (sizeof(Real) == 4) return {128, 4};
+  return {!light || corners == 8 ? 128 : corners == 6 ? 192 : 256, 2};
+}
+template <class Real>
+inline constexpr PatchGroup heat_group{128, sizeof(Real) == 4 ? 6 : 4};
 
 /// Element forces: what a patch does with displacements.
 template <template <class> class Element, bool Warm, class Point, class Real_>
 struct StressPatch {
   using Real = Real_;
   static constexpr int corners = Element<Real>::corners, width = 3;
+  static constexpr PatchGroup group = stress_group<Real>(corners, Point::history_size == 0);
   BodyView<Real> body;
   BatchView batch;
   Point law;
@@ -42,6 +52,7 @@ template <template <class> class Element, class Real_>
 struct HeatPatch {
   using Real = Real_;
   static constexpr int corners = Element<Real>::corners, width = 1;
+  static constexpr PatchGroup group = heat_group<Real>;
   HeatView<Real> heat;
   BatchView batch;
   Real conductivity;
@@ -115,16 +126,16 @@ __device__ __forceinline__ void sum_corners(const PatchHead& head, const GatherR
                                             const Real* corner, Real (&sum)[width]) {
   ASHLAR_UNROLL
   for (int c = 0; c < width; ++c) sum[c] = Real(0);
-  for (int r = 0;;) {
+  for (int r = 1;; ++r) {
     const unsigned words[4] = {q.x, q.y, q.z, q.w};
+    if (r < head.rows_per_lane) q = __ldg(reinterpret_cast<const uint4*>(row_of(head, rows, l) + 32 * r));
     ASHLAR_UNROLL
     for (int j = 0; j < 8; ++j) {
       const int place = (words[j / 2] >> (16 * (j & 1))) & 0xffff;
       ASHLAR_UNROLL
       for (int c = 0; c < width; ++c) sum[c] += corner[c * component_stride<Real> + place];
     }
-    if (++r == head.rows_per_lane) break;
-    q = __ldg(reinterpret_cast<const uint4*>(row_of(head, rows, l) + 32 * r));
+    if (r >= head.rows_per_lane) break;
   }
 }
 
@@ -176,86 +187,122 @@ __device__ void prefetch_patch(const Work& work, const PatchListsView& lists, co
   prefetch_step(step, head.first_node, head.interior);
 }
 
+/// A patch in the shared memory of its thread group: corner values, places, nodal values.
+template <class Work>
+struct PatchMemory {
+  using Real = typename Work::Real;
+  static constexpr int corners = Work::corners, width = Work::width, stride = component_stride<Real>;
+  static constexpr int elements = most_patch_slots<Real> / corners, threads = Work::group.threads;
+  Real* corner;
+  Real* places;  ///< at a 16-byte border
+  Real* place;
+  StagedValues<Real> value;
+
+  /// @param capacity entries of a patch at most
+  __device__ PatchMemory(unsigned char* shared, const PatchHead& head, int capacity, bool paired)
+      : corner(reinterpret_cast<Real*>(shared)),
+        places(corner + width * stride),
+        place(places + behind_border<Real>(3 * head.first_entry)) {
+    value.high = places + staged_numbers<Real>(3, capacity) + behind_border<Real>(width * head.first_node);
+    value.low = paired ? value.high + staged_numbers<Real>(width, capacity) : nullptr;
+  }
+
+  /// Starts the copies into it.
+  __device__ void load(const Work& work, const PatchHead& head) const {
+    const Summed<Real> values = work.values();
+    const int first_value = width * head.first_node, inside = width * head.interior;
+    load_span<threads>(place, work.places(), 3 * head.first_entry, 3 * head.entries);
+    load_span<threads>(value.high, values.high, first_value, inside);
+    if (value.low) load_span<threads>(value.low, values.low, first_value, inside);
+    for (int l = head.interior + threadIdx.x; l < head.entries; l += threads) {
+      const int n = width * __ldg(work.nodes().entry_node + head.first_entry + l);
+      ASHLAR_UNROLL
+      for (int c = 0; c < width; ++c) {
+        copy_async(value.high + width * l + c, values.high + n + c);
+        if (value.low) copy_async(value.low + width * l + c, values.low + n + c);
+      }
+    }
+    if (threadIdx.x < width) corner[threadIdx.x * stride + most_patch_slots<Real>] = Real(0);
+  }
+
+  /// Entries of the corners of element i of the patch.
+  __device__ CornerEntries<corners> entries_of(const Work& work, const PatchHead& head, int i) const {
+    CornerEntries<corners> entries;
+    entries.read(work.nodes().corner_entry, work.batch.slot(head.first_element + i, corners, 0));
+    return entries;
+  }
+
+  /// Corner values of every element; `next`: entries of the first that this thread has.
+  __device__ void run_elements(const Work& work, const PatchHead& head, CornerEntries<corners> next) const {
+    for (int i = threadIdx.x; i < head.elements; i += threads) {
+      const CornerEntries<corners> entry = next;
+      if (i + threads < head.elements) next = entries_of(work, head, i + threads);
+      Real x[3][corners], u[width][corners], f[width][corners];
+      ASHLAR_UNROLL
+      for (int k = 0; k < corners; ++k) {
+        ASHLAR_UNROLL
+        for (int c = 0; c < 3; ++c) x[c][k] = place[3 * entry[k] + c];
+        ASHLAR_UNROLL
+        for (int c = 0; c < width; ++c) u[c][k] = relative(value[width * entry[k] + c], value[width * entry[0] + c]);
+      }
+      work(head.first_element + i, x, u, f);
+      ASHLAR_UNROLL
+      for (int k = 0; k < corners; ++k) ASHLAR_UNROLL
+      for (int c = 0; c < width; ++c) corner[c * stride + k * elements + i] = f[c][k];
+    }
+  }
+};
+
 /// One patch. `step` (kernels/move_nodes.hpp, step_heat.hpp, StoreSum) takes the sums of nodes inside; nodes that other
-/// patches share leave a partial sum. `ahead`: thread groups that run at once; a patch so far behind is asked for early.
+/// patches share leave a partial sum. `ahead`: thread groups that run at once; a patch so far behind is asked for
+/// early.
 template <class Work, class NodeStep>
-__global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<typename Work::Real>)
+__global__ void __launch_bounds__(Work::group.threads, Work::group.per_processor)
     run_patch(const Work work, const PatchListsView lists, const int first_patch, const int ahead, const int capacity,
               const NodeStep step) {
   using Real = typename Work::Real;
-  constexpr int corners = Work::corners, width = Work::width, stride = component_stride<Real>;
-  constexpr int elements = most_patch_slots<Real> / corners;
+  constexpr int width = Work::width, threads = Work::group.threads;
   extern __shared__ __align__(16) unsigned char shared[];
   const PatchHead head = lists.heads[first_patch + blockIdx.x];
   const Summed<Real> values = work.values();
   const int first_value = width * head.first_node, inside = width * head.interior;
-  Real* const corner = reinterpret_cast<Real*>(shared);
-  Real* const places = corner + width * stride;
-  Real* const place = places + behind_border<Real>(3 * head.first_entry);
-  Real* const high = places + staged_numbers<Real>(3, capacity) + behind_border<Real>(first_value);
-  StagedValues<Real> value{high, nullptr};
-  if (Summed<Real>::paired && values.low) value.low = high + staged_numbers<Real>(width, capacity);
-
-  load_span<patch_threads>(place, work.places(), 3 * head.first_entry, 3 * head.entries);
-  load_span<patch_threads>(value.high, values.high, first_value, inside);
-  if (value.low) load_span<patch_threads>(value.low, values.low, first_value, inside);
-  for (int l = head.interior + threadIdx.x; l < head.entries; l += patch_threads) {
-    const int n = width * __ldg(work.nodes().entry_node + head.first_entry + l);
-    ASHLAR_UNROLL
-    for (int c = 0; c < width; ++c) {
-      copy_async(value.high + width * l + c, values.high + n + c);
-      if (value.low) copy_async(value.low + width * l + c, values.low + n + c);
-    }
-  }
-  const auto first_slot = [&](int i) { return work.batch.slot(head.first_element + i, corners, 0); };
-  CornerEntries<corners> next;
-  if (threadIdx.x < head.elements) next.read(work.nodes().corner_entry, first_slot(threadIdx.x));
-  if (threadIdx.x == patch_threads - 1) {
+  const PatchMemory<Work> patch(shared, head, capacity, Summed<Real>::paired && values.low);
+  const StagedValues<Real>& value = patch.value;
+  patch.load(work, head);
+  CornerEntries<Work::corners> first_entries;
+  if (threadIdx.x < head.elements) first_entries = patch.entries_of(work, head, threadIdx.x);
+  if (threadIdx.x == threads - 1) {
     prefetch_step(step, head.first_node, head.interior);
     prefetch_span(lists.rows, head.first_row, row_count(head));
-    if (blockIdx.x + ahead < gridDim.x) prefetch_patch(work, lists, lists.heads[first_patch + blockIdx.x + ahead], step);
+    if (blockIdx.x + ahead < gridDim.x)
+      prefetch_patch(work, lists, lists.heads[first_patch + blockIdx.x + ahead], step);
   }
-  if (threadIdx.x < width) corner[threadIdx.x * stride + most_patch_slots<Real>] = Real(0);
   wait_for_copies();
   __syncthreads();
 
-  for (int i = threadIdx.x; i < head.elements; i += patch_threads) {
-    const CornerEntries<corners> entry = next;
-    if (i + patch_threads < head.elements) next.read(work.nodes().corner_entry, first_slot(i + patch_threads));
-    Real x[3][corners], u[width][corners], f[width][corners];
-    ASHLAR_UNROLL
-    for (int k = 0; k < corners; ++k) {
-      ASHLAR_UNROLL
-      for (int c = 0; c < 3; ++c) x[c][k] = place[3 * entry[k] + c];
-      ASHLAR_UNROLL
-      for (int c = 0; c < width; ++c) u[c][k] = relative(value[width * entry[k] + c], value[width * entry[0] + c]);
-    }
-    work(head.first_element + i, x, u, f);
-    ASHLAR_UNROLL
-    for (int k = 0; k < corners; ++k)
-      ASHLAR_UNROLL
-      for (int c = 0; c < width; ++c) corner[c * stride + k * elements + i] = f[c][k];
-  }
+  patch.run_elements(work, head, first_entries);
 
-  // What the first rounds of sums need is on its way while slower threads are still at their elements.
-  constexpr int rounds = 3;
-  uint4 row[rounds];
-  typename NodeStep::Before before[rounds];
-  ASHLAR_UNROLL
-  for (int r = 0; r < rounds; ++r) {
-    const int l = threadIdx.x + r * patch_threads;
-    if (l < head.entries) row[r] = first_row(head, lists.rows, l);
-    if (l < head.interior) before[r] = step.read(head.first_node + l);
-  }
+  // What the next round of sums needs is always on its way.
+  uint4 row{};
+  typename NodeStep::Before before{};
+  const auto ask = [&](int l) {
+    if (l < head.entries) row = first_row(head, lists.rows, l);
+    if (l < head.interior) before = step.read(head.first_node + l);
+  };
+  ask(threadIdx.x);
   __syncthreads();
 
   // Results lie where the places were: of nodes inside as far behind a border as their values, then partial sums.
-  Real* const result = places + behind_border<Real>(first_value);
-  Real* const partial = places + reals_in_16_bytes<Real> + behind_border<Real>(width * head.first_entry);
+  Real* const result = patch.places + behind_border<Real>(first_value);
+  Real* const partial = patch.places + reals_in_16_bytes<Real> + behind_border<Real>(width * head.first_entry);
   const auto controls = step.controls();
-  const auto finish = [&](int l, const uint4& first, const typename NodeStep::Before& b) {
+#pragma unroll 1
+  for (int l = threadIdx.x; l < head.entries; l += threads) {
+    const uint4 first = row;
+    const typename NodeStep::Before earlier = before;
+    ask(l + threads);
     Real sum[width];
-    sum_corners<width>(head, lists.rows, l, first, corner, sum);
+    sum_corners<width>(head, lists.rows, l, first, patch.corner, sum);
     ASHLAR_UNROLL
     for (int c = 0; c < width; ++c) {
       const int i = width * l + c;
@@ -263,31 +310,21 @@ __global__ void __launch_bounds__(patch_threads, patch_groups_per_processor<type
         partial[i] = sum[c];
       } else if constexpr (NodeStep::moves) {
         SummedValue<Real> moved = value[i];
-        result[i] = step(controls, b, c, sum[c], moved);
+        result[i] = step(controls, earlier, c, sum[c], moved);
         value.write(i, moved);
       } else {
         result[i] = sum[c];
       }
     }
-  };
-  ASHLAR_UNROLL
-  for (int r = 0; r < rounds; ++r) {
-    const int l = threadIdx.x + r * patch_threads;
-    if (l < head.entries) finish(l, row[r], before[r]);
-  }
-  for (int l = threadIdx.x + rounds * patch_threads; l < head.entries; l += patch_threads) {
-    typename NodeStep::Before b{};
-    if (l < head.interior) b = step.read(head.first_node + l);
-    finish(l, first_row(head, lists.rows, l), b);
   }
   __syncthreads();
 
-  store_span<patch_threads>(step.result(), first_value, inside, result);
-  store_span<patch_threads>(work.partial(), width * (head.first_entry + head.interior),
-                            width * (head.entries - head.interior), partial + inside);
+  store_span<threads>(step.result(), first_value, inside, result);
+  store_span<threads>(work.partial(), width * (head.first_entry + head.interior),
+                      width * (head.entries - head.interior), partial + inside);
   if constexpr (NodeStep::moves) {
-    store_span<patch_threads>(values.high, first_value, inside, value.high);
-    if (value.low) store_span<patch_threads>(values.low, first_value, inside, value.low);
+    store_span<threads>(values.high, first_value, inside, value.high);
+    if (value.low) store_span<threads>(values.low, first_value, inside, value.low);
   }
 }
 

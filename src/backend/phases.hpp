@@ -301,6 +301,7 @@ class Phases final : public Backend {
   void relaxation_steps(int steps) {
     if constexpr (Exec::marches) {
       const bool free = contact_count() == 0 && !groups_.first && every_batch_fits();
+      if (free && march_blocks(steps)) return;
       exec_.repeat(std::string(free ? "free" : "jointed") + (warm_ ? ", warm" : ""), steps, [&] {
         if (free) {
           const MoveNode<Real> step{body_, damping_.data()};
@@ -314,6 +315,39 @@ class Phases final : public Backend {
         }
       });
     }
+  }
+  /// All steps at once, where every batch has the same element and a law of one kind without memory, and the machine
+  /// can.
+  bool march_blocks(int steps) {
+    if constexpr (Exec::marches) {
+      const std::vector<Batch>& batches = discretisation_.batches;
+      const auto alike = [&](const Batch& b) {
+        return b.shape == batches[0].shape && bbar_[b.material] == bbar_[batches[0].material] &&
+               laws_[b.material].index() == laws_[batches[0].material].index();
+      };
+      if (!std::all_of(batches.begin(), batches.end(), alike)) return false;
+      std::vector<BatchView> views;
+      for (int b = 0; b < static_cast<int>(batches.size()); ++b) views.push_back(batch_view(b));
+      return std::visit(
+          [&]<class Law>(const Law&) {
+            using Point = decltype(std::declval<Law>().template prepare<Real>());
+            bool marched = false;
+            if constexpr (Point::history_size == 0) {
+              std::vector<Point> points;
+              for (const Batch& b : batches)
+                points.push_back(std::get<Law>(laws_[b.material]).template prepare<Real>());
+              with_element(batches[0].shape, bbar_[batches[0].material], [&]<template <class> class E>(ElementTag<E>) {
+                with_warmth<Point>([&]<bool Warm>() {
+                  marched = exec_.template march_blocks<E, Warm>(body_, views, points, discretisation_,
+                                                                 MoveNode<Real>{body_, damping_.data()}, steps);
+                });
+              });
+            }
+            return marched;
+          },
+          laws_[batches[0].material]);
+    }
+    return false;
   }
   bool every_batch_fits() {
     bool fit = true;
