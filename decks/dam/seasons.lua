@@ -3,17 +3,20 @@
 local args = deck.args {
   water    = { default = 92, unit = m, doc = "reservoir level above the base" },
   strength = { default = 2,  unit = MPa, doc = "tensile strength of the concrete" },
+  fine     = { default = 1, doc = "elements along the edge of one of the plain mesh" },
 }
 local height, base, crest, slice = 100*m, 78*m, 14*m, 5*m
 
 model "seasons" { reference_temperature = 10*degC }
 
 extrude "dam" {
-  section = { {0,0}, {base,0}, {crest,82*m}, {crest,height}, {0,height} }, length = slice, layers = 1, size = 5*m,
-  divisions = { [1] = 12, [2] = 36 },   -- along the base and up the downstream face: no block much longer than high
+  section = { {0,0}, {base,0}, {crest,82*m}, {crest,height}, {0,height} }, length = slice,
+  size = 5*m / args.fine, layers = args.fine,
+  divisions = { [1] = 12 * args.fine, [2] = 36 * args.fine },   -- along the base and up the downstream face: no block much longer than high
 }
 extrude "rock" {
-  section = { {-100*m,-100*m}, {base+100*m,-100*m}, {base+100*m,0}, {-100*m,0} }, length = slice, layers = 1, size = 10*m,
+  section = { {-100*m,-100*m}, {base+100*m,-100*m}, {base+100*m,0}, {-100*m,0} }, length = slice,
+  size = 10*m / args.fine, layers = args.fine,
 }
 
 surface "upstream"        { of = "dam",  facing = { -1, 0, 0 } }

@@ -163,6 +163,12 @@ class FieldReader {
   }
 
  private:
+  /// The whole number at `index`, 3.0 as well as 3; 0 if there is none.
+  long long whole_number(int index) const {
+    int whole = 0;
+    const lua_Integer value = lua_tointegerx(L_, index, &whole);
+    return whole && lua_type(L_, index) == LUA_TNUMBER ? value : 0;
+  }
   void complain(const std::string& key, const std::string& message) {
     const Where where = key.empty() ? fields_.where : sandbox_.where(noun_.name, name_, key);
     found_.emplace_back(where, title(noun_.name, name_) + ": " + message);
@@ -526,15 +532,18 @@ class FieldReader {
         const bool counts = rule.type == KeyType::counts;
         lua_pushnil(L_);
         while (lua_next(L_, index)) {
-          const bool right = counts ? lua_isinteger(L_, -2) && lua_isinteger(L_, -1) && lua_tointeger(L_, -1) > 0
+          const bool right = counts ? whole_number(-2) > 0 && whole_number(-1) > 0
                                     : lua_type(L_, -2) == LUA_TSTRING && lua_type(L_, -1) == LUA_TSTRING;
           if (!right) {
             lua_pop(L_, 2);
             return wrong(rule, index);
           }
-          lua_pushvalue(L_, -2);  // lua_tolstring changes numbers in place
-          field.renames[text_at(L_, -1)] = text_at(L_, -2);
-          lua_pop(L_, 2);
+          if (counts) {
+            field.renames[std::to_string(whole_number(-2))] = std::to_string(whole_number(-1));
+          } else {
+            field.renames[text_at(L_, -2)] = text_at(L_, -1);
+          }
+          lua_pop(L_, 1);
         }
         break;
       }
