@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cluster_kernel.hpp"
 #include "cuda_array.hpp"
 #include "kernels/gather.hpp"
 #include "kernels/sum.hpp"
@@ -61,6 +62,19 @@ class CudaExec {
   void set_patches(const Discretisation& d) {
     blocks_ = std::make_unique<PatchLists>(d, d.blocks, most_patch_slots<Real>);
     heat_ = std::make_unique<PatchLists>(d, d.heat, most_patch_slots<Real>);
+  }
+
+  void set_clusters(const Setup& setup) {
+    if (setup.contacts.pair_count() > 0) clusters_ = std::make_unique<ClusterLists>(setup);
+    if (clusters_ && !clusters_->fits()) clusters_.reset();
+  }
+  bool has_clusters() const { return clusters_ != nullptr; }
+  /// Springs between node pairs, then one step of every node.
+  template <class Real>
+  void step_clusters(const SpringView<Real>& springs, const GroupView<Real>& groups, const MoveNode<Real>& step) const {
+    ashlar::step_clusters<<<clusters_->count(), cluster_members, 0, cudaStreamPerThread>>>(clusters_->view(), springs, groups,
+                                                                                     step);
+    check(cudaGetLastError(), "launch");
   }
 
   template <class Kernel>
@@ -232,6 +246,7 @@ class CudaExec {
   std::size_t shared_bytes_ = 0;
   int processors_ = 1;
   std::unique_ptr<PatchLists> blocks_, heat_;
+  std::unique_ptr<ClusterLists> clusters_;
   CudaArray<double> sums_;
   std::unique_ptr<ResidentLists> exchange_;
   CudaArray<std::byte> works_;

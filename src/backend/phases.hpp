@@ -54,6 +54,7 @@ class Phases final : public Backend {
     const Discretisation& d = setup.discretisation;
     exec_.template set_patches<Real>(d);
     if (setup.heat_only) return;
+    if constexpr (Exec::marches) exec_.set_clusters(setup);
     const std::size_t nodes = d.blocks.node_count;
     x_.assign(places_in_patches<Real>(d.blocks, d.block_points));
     for (auto* a : {&v_, &load_, &force_, &kept_force_}) a->resize(3 * nodes);
@@ -310,11 +311,20 @@ class Phases final : public Backend {
         } else {
           run_phase(Phase::block_force, {});
           run_phase(Phase::gather_force, {});
-          run_phase(Phase::spring_force, {});
-          move_nodes();
+          step_jointed();
         }
       });
     }
+  }
+  /// Springs, then motion: cluster by cluster where the machine can, else one after the other.
+  void step_jointed() {
+    const MoveNode<Real> step{body_, damping_.data()};
+    if (!exec_.has_clusters()) {
+      spring_force();
+      return move_nodes();
+    }
+    add_overlap_force(springs_.overlaps(), body_.u, body_.force);
+    exec_.step_clusters(springs_.pairs(), groups_, step);
   }
   /// All steps at once, where every batch has the same element and a law of one kind without memory, and the machine
   /// can.
@@ -423,8 +433,11 @@ class Phases final : public Backend {
   void spring_force() { add_spring_force(springs_.pairs(), springs_.overlaps(), body_.u, body_.force); }
   void add_spring_force(const SpringView<Real>& pairs, const OverlapView<Real>& overlaps, const Summed<Real>& u,
                         Real* force) {
+    add_overlap_force(overlaps, u, force);
     exec_.for_each(pairs.contact_count, SpringForce<Real>{pairs, u});
     exec_.for_each(pairs.node_count, GatherSpring<Real>{pairs, force});
+  }
+  void add_overlap_force(const OverlapView<Real>& overlaps, const Summed<Real>& u, Real* force) {
     if (overlaps.contact_count == 0) return;
     exec_.for_each(overlaps.contact_count, SpringForce<Real, OverlapView<Real>>{overlaps, u});
     exec_.for_each(overlaps.node_count, GatherOverlap<Real>{overlaps, force});

@@ -46,12 +46,12 @@ struct SpringView {
   ASHLAR_HD SpringAnswer<Real> answer(const Summed<Real>& u, int c) const {
     return answer_to(stretch(gap(u, c), c), c);
   }
-
- protected:
+  /// The same where its faces have moved apart by `stretched`, m.
   ASHLAR_HD SpringAnswer<Real> answer_to(const Vec3<Real>& stretched, int c) const {
     const auto& law = law_of(c);
-    return spring_traction(law.holds(state[c]), law.tan_friction, stiffness_of(c), split(stretched, normal_of(c)),
-                           slip_of(c));
+    const bool holds = law.holds(state[c]);  // such a spring has never slid
+    return spring_traction(holds, law.tan_friction, stiffness_of(c), split(stretched, normal_of(c)),
+                           holds ? Vec3<Real>{} : slip_of(c));
   }
 };
 

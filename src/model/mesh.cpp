@@ -1,6 +1,8 @@
 #include "model/mesh.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 #include <tuple>
 
 #include "base/error.hpp"
@@ -23,22 +25,40 @@ struct KeyedFace {
   }
 };
 
-std::vector<KeyedFace> sorted_faces(const Mesh& mesh) {
-  std::vector<KeyedFace> faces;
-  faces.reserve(static_cast<std::size_t>(mesh.element_count()) * 6);
-  for (int e = 0; e < mesh.element_count(); ++e) {
-    const auto corners = mesh.element(e);
-    for (int f = 0; f < face_count(mesh.shapes[e]); ++f) {
-      KeyedFace keyed{{-1, -1, -1, -1}, {e, f}};
-      std::size_t i = 0;
-      for (const int c : face_corners(mesh.shapes[e], f)) keyed.nodes[i++] = corners[c];
-      std::sort(keyed.nodes.begin(), keyed.nodes.end());
-      faces.push_back(keyed);
-    }
-  }
-  std::sort(faces.begin(), faces.end());
-  return faces;
+KeyedFace keyed(const Mesh& mesh, const Facet& facet) {
+  const auto corners = mesh.element(facet.element);
+  KeyedFace face{{-1, -1, -1, -1}, facet};
+  std::size_t i = 0;
+  for (const int c : face_corners(mesh.shapes[facet.element], facet.face)) face.nodes[i++] = corners[c];
+  std::sort(face.nodes.begin(), face.nodes.end());
+  return face;
 }
+
+template <class Work>
+void each_facet(const Mesh& mesh, const Work& work) {
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (int f = 0; f < face_count(mesh.shapes[e]); ++f) work(Facet{e, f});
+}
+
+/// Every facet under the lowest of its nodes: those of node n are first[n] .. first[n + 1].
+struct FacetsOfNodes {
+  std::vector<std::size_t> first;
+  std::vector<Facet> facets;
+
+  explicit FacetsOfNodes(const Mesh& mesh) : first(mesh.points.size() + 1) {
+    const auto lowest = [&](const Facet& facet) {
+      const auto corners = mesh.element(facet.element);
+      int node = std::numeric_limits<int>::max();
+      for (const int c : face_corners(mesh.shapes[facet.element], facet.face)) node = std::min(node, corners[c]);
+      return node;
+    };
+    each_facet(mesh, [&](const Facet& facet) { ++first[lowest(facet) + 1]; });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    facets.resize(first.back());
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    each_facet(mesh, [&](const Facet& facet) { facets[next[lowest(facet)]++] = facet; });
+  }
+};
 
 }  // namespace
 
@@ -117,26 +137,40 @@ int Mesh::find_region(const std::string& name) const {
 bool before(const Facet& a, const Facet& b) { return std::tie(a.element, a.face) < std::tie(b.element, b.face); }
 
 FaceGraph find_faces(const Mesh& mesh) {
-  const auto faces = sorted_faces(mesh);
-  FaceGraph graph;
-  for (std::size_t i = 0; i < faces.size();) {
-    std::size_t end = i + 1;
-    while (end < faces.size() && faces[end].nodes == faces[i].nodes) ++end;
-    if (end - i > 2) {
-      std::string elements;
-      for (std::size_t k = i; k < end; ++k)
-        elements += (elements.empty() ? "" : ", ") + std::to_string(mesh.source_ids[faces[k].facet.element]);
-      throw DeckError(Where{}, "one face belongs to more than two elements (" + elements + "): elements overlap");
+  constexpr int most_faces = 6;
+  std::vector<Facet> across(std::size_t(most_faces) * mesh.element_count(), Facet{-1, -1});
+  const auto place = [](const Facet& f) { return std::size_t(most_faces) * f.element + f.face; };
+  const FacetsOfNodes of_nodes(mesh);
+  std::vector<KeyedFace> faces;
+  for (std::size_t n = 0; n + 1 < of_nodes.first.size(); ++n) {
+    faces.clear();
+    for (std::size_t i = of_nodes.first[n]; i < of_nodes.first[n + 1]; ++i)
+      faces.push_back(keyed(mesh, of_nodes.facets[i]));
+    std::sort(faces.begin(), faces.end());
+    for (std::size_t i = 0; i < faces.size();) {
+      std::size_t end = i + 1;
+      while (end < faces.size() && faces[end].nodes == faces[i].nodes) ++end;
+      if (end - i > 2) {
+        std::string elements;
+        for (std::size_t k = i; k < end; ++k)
+          elements += (elements.empty() ? "" : ", ") + std::to_string(mesh.source_ids[faces[k].facet.element]);
+        throw DeckError(Where{}, "one face belongs to more than two elements (" + elements + "): elements overlap");
+      }
+      if (end - i == 2) {
+        across[place(faces[i].facet)] = faces[i + 1].facet;
+        across[place(faces[i + 1].facet)] = faces[i].facet;
+      }
+      i = end;
     }
-    if (end - i == 2)
-      graph.inner.push_back({faces[i].facet, faces[i + 1].facet});
-    else
-      graph.outer.push_back(faces[i].facet);
-    i = end;
   }
-  std::sort(graph.outer.begin(), graph.outer.end(), before);
-  std::sort(graph.inner.begin(), graph.inner.end(),
-            [&](const FacePair& p, const FacePair& q) { return before(p.a, q.a); });
+  FaceGraph graph;
+  each_facet(mesh, [&](const Facet& facet) {
+    const Facet& other = across[place(facet)];
+    if (other.element < 0)
+      graph.outer.push_back(facet);
+    else if (before(facet, other))
+      graph.inner.push_back({facet, other});
+  });
   return graph;
 }
 
