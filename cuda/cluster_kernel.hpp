@@ -12,7 +12,7 @@ __global__ void __launch_bounds__(cluster_members)
     step_clusters(const ClusterListsView lists, const SpringView<Real> springs, const GroupView<Real> groups,
                   const MoveNode<Real> step) {
   __shared__ SummedValue<Real> u[3][cluster_members];
-  __shared__ Real damped[3][cluster_members], pull[3][cluster_contacts];
+  __shared__ Real damped[3][cluster_members], pull[3][cluster_pairs];
   __shared__ std::uint8_t fixed[cluster_members];
   const ClusterHead head = lists.heads[blockIdx.x];
   const BodyView<Real>& body = step.body;
@@ -30,9 +30,9 @@ __global__ void __launch_bounds__(cluster_members)
   }
   __syncthreads();
 
-  for (int i = threadIdx.x; i < head.contacts; i += cluster_members) {
-    const int c = lists.contact[head.first_contact + i];
-    const ClusterEnds ends = lists.ends[head.first_contact + i];
+  for (int i = threadIdx.x; i < head.pairs; i += cluster_members) {
+    const int c = head.first_pair + i;
+    const ClusterEnds ends = lists.ends[c];
     Vec3<Real> gap;
     for (int k = 0; k < 3; ++k) gap[k] = difference(u[k][ends.b], u[k][ends.a]);
     const Vec3<Real> traction = joined(springs.answer_to(springs.stretch(gap, c), c).traction, springs.normal_of(c));
@@ -45,7 +45,7 @@ __global__ void __launch_bounds__(cluster_members)
     const int first = member == 0 ? 0 : lists.uses_end[head.first_member + member - 1];
     const int last = lists.uses_end[head.first_member + member];
     for (int j = first; j < last; ++j) {
-      const int use = lists.use[head.first_use + j];
+      const int use = lists.use[2 * head.first_pair + j];
       const Real sign = use & 1 ? Real(1) : Real(-1);
       for (int k = 0; k < 3; ++k) force[k] = fma(sign, pull[k][use >> 1], force[k]);
     }

@@ -64,8 +64,8 @@ class CudaExec {
     heat_ = std::make_unique<PatchLists>(d, d.heat, most_patch_slots<Real>);
   }
 
-  void set_clusters(const Setup& setup) {
-    if (setup.contacts.pair_count() > 0) clusters_ = std::make_unique<ClusterLists>(setup);
+  void set_clusters(const Clusters& clusters) {
+    if (!clusters.pair.empty()) clusters_ = std::make_unique<ClusterLists>(clusters);
     if (clusters_ && !clusters_->fits()) clusters_.reset();
   }
   bool has_clusters() const { return clusters_ != nullptr; }

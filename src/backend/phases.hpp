@@ -54,7 +54,7 @@ class Phases final : public Backend {
     const Discretisation& d = setup.discretisation;
     exec_.template set_patches<Real>(d);
     if (setup.heat_only) return;
-    if constexpr (Exec::marches) exec_.set_clusters(setup);
+    if constexpr (Exec::marches) exec_.set_clusters(springs_.clusters());
     const std::size_t nodes = d.blocks.node_count;
     x_.assign(places_in_patches<Real>(d.blocks, d.block_points));
     for (auto* a : {&v_, &load_, &force_, &kept_force_}) a->resize(3 * nodes);
@@ -251,10 +251,13 @@ class Phases final : public Backend {
     return visit_field(*this, field, [](const auto& array) { return array.size(); });
   }
   void write(Field field, std::span<const double> values) override {
+    std::vector<double> ordered;
+    if (is_of_contacts(field)) values = ordered = springs_.in_machine_order(values);
     visit_field(*this, field, [&](auto& array) { copy_in(array, values); });
   }
   void read(Field field, std::span<double> values) override {
     visit_field(*this, field, [&](auto& array) { copy_out(array, values); });
+    if (is_of_contacts(field)) springs_.to_model_order(values);
   }
   void take_temperature(Backend& from) override {
     if (auto* const same = dynamic_cast<Phases*>(&from))
@@ -480,6 +483,11 @@ class Phases final : public Backend {
     exec_.for_each(batch.element_count, StiffnessBound<E, Point, Real>{body_, batch, law});
   }
 
+  /// Machines keep contact points in an order of their own.
+  static bool is_of_contacts(Field field) {
+    return field == Field::slip || field == Field::contact_state || field == Field::utilisation ||
+           field == Field::spring_dissipation;
+  }
   template <class Self, class Visit>
   static decltype(auto) visit_field(Self& self, Field field, Visit visit) {
     switch (field) {

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "backend/backend.hpp"
+#include "backend/clusters.hpp"
 #include "kernels/spring_view.hpp"
 
 namespace ashlar {
@@ -36,11 +37,12 @@ struct ContactsOfNodes {
   std::vector<std::vector<Entry>> contacts_;
 };
 
-/// Springs in a machine's memory, block nodes renumbered. Arrays hold node pairs first, then the points of overlaps.
+/// Springs in a machine's memory, block nodes renumbered. Arrays hold node pairs first, cluster by cluster, then the
+/// points of overlaps.
 template <class Exec, class Real>
 class Springs {
  public:
-  Springs(const Setup& setup) {
+  explicit Springs(const Setup& setup) : clusters_(clusters_of(setup)), points_(setup.contacts.count()) {
     const ContactPoints& c = setup.contacts;
     const std::vector<int>& renumber = setup.discretisation.blocks.new_node;
     const int n = c.count(), pairs = c.pair_count();
@@ -51,12 +53,12 @@ class Springs {
     }
     std::vector<SpringLaw<Real>> laws;
     for (const auto& law : setup.interface_laws) laws.push_back(law.template as<Real>());
-    normal_.assign(normal);
-    initial_gap_.assign(initial_gap);
-    area_.assign(real(c.area));
-    normal_stiffness_.assign(real(c.normal_stiffness));
-    shear_stiffness_.assign(real(c.shear_stiffness));
-    interface_.assign(c.interface);
+    normal_.assign(in_machine_order<Real>(normal));
+    initial_gap_.assign(in_machine_order<Real>(initial_gap));
+    area_.assign(in_machine_order<Real>(real(c.area)));
+    normal_stiffness_.assign(in_machine_order<Real>(real(c.normal_stiffness)));
+    shear_stiffness_.assign(in_machine_order<Real>(real(c.shear_stiffness)));
+    interface_.assign(in_machine_order<int>(c.interface));
     laws_.assign(laws);
     full_laws_ = setup.interface_laws;
     state.resize(n);
@@ -68,8 +70,8 @@ class Springs {
     std::vector<int> a(pairs), b(pairs);
     ContactsOfNodes of_pairs(nodes);
     for (int i = 0; i < pairs; ++i) {
-      a[i] = renumber[c.node_a[i]];
-      b[i] = renumber[c.node_b[i]];
+      a[i] = clusters_.node_a[clusters_.pair[i]];
+      b[i] = clusters_.node_b[clusters_.pair[i]];
       of_pairs.add(a[i], i);
       of_pairs.add(b[i], -1 - i);
     }
@@ -100,6 +102,21 @@ class Springs {
   }
   const SpringView<Real>& pairs() const { return pairs_; }
   const OverlapView<Real>& overlaps() const { return overlaps_; }
+  const Clusters& clusters() const { return clusters_; }
+  /// Values of contact points, any number each, from the model's order.
+  template <class T, class Values>
+  std::vector<T> in_machine_order(const Values& values) const {
+    std::vector<T> ordered(values.begin(), values.end());
+    each_moved(values.size(), [&](std::size_t in_model, std::size_t here) { ordered[here] = values[in_model]; });
+    return ordered;
+  }
+  std::vector<double> in_machine_order(std::span<const double> values) const {
+    return in_machine_order<double, std::span<const double>>(values);
+  }
+  void to_model_order(std::span<double> values) const {
+    const std::vector<double> here(values.begin(), values.end());
+    each_moved(values.size(), [&](std::size_t in_model, std::size_t at) { values[in_model] = here[at]; });
+  }
   void weaken(double factor) {
     std::vector<SpringLaw<Real>> laws;
     for (const auto& law : full_laws_) laws.push_back(law.weakened(factor).template as<Real>());
@@ -109,6 +126,19 @@ class Springs {
  private:
   template <class T>
   using Array = typename Exec::template Array<T>;
+  static Clusters clusters_of(const Setup& setup) {
+    const std::vector<int>& renumber = setup.discretisation.blocks.new_node;
+    std::vector<int> a, b;
+    for (const int n : setup.contacts.node_a) a.push_back(renumber[n]);
+    for (const int n : setup.contacts.node_b) b.push_back(renumber[n]);
+    return {setup.discretisation.blocks.node_count, std::move(a), std::move(b)};
+  }
+  template <class Work>
+  void each_moved(std::size_t size, const Work& work) const {
+    const std::size_t each = points_ > 0 ? size / points_ : 0;  // numbers of a point
+    for (std::size_t i = 0; i < clusters_.pair.size(); ++i)
+      for (std::size_t k = 0; k < each; ++k) work(each * clusters_.pair[i] + k, each * i + k);
+  }
   static std::vector<Real> real(const std::vector<double>& values) { return {values.begin(), values.end()}; }
 
   void set_overlaps(const ContactPoints& c, const std::vector<int>& renumber, int nodes) {
@@ -149,6 +179,8 @@ class Springs {
     overlaps_.end_weight = end_weight_.data();
   }
 
+  Clusters clusters_;
+  int points_;
   Array<int> node_a_, node_b_, interface_, node_, node_first_, node_contact_;
   Array<int> first_end_, end_node_, overlap_node_, overlap_first_, overlap_contact_;
   Array<Real> normal_, initial_gap_, area_, normal_stiffness_, shear_stiffness_, force_;
