@@ -6,6 +6,9 @@
 #include "backend/clusters.hpp"
 #include "cuda_array.hpp"
 
+/// Clusters in the form that thread groups read: whole clusters a group, as many as it has room for.
+namespace ashlar {
+
 inline constexpr int cluster_members = 128, cluster_pairs = 256;  ///< of one thread group at most
 
 /// Whole clusters that one thread group steps.
