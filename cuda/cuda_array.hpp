@@ -15,20 +15,20 @@ class CudaArray {
   CudaArray(CudaArray&& other) noexcept
       : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
   ~CudaArray() {
-    MachineMemory::bytes -= size_ * sizeof(T);
+    MachineMemory::book(size_ * sizeof(T), 0);
     cudaFree(data_);
   }
 
   void resize(std::size_t n) {
     allocate(n);
-    if (n > 0) check(cudaMemsetAsync(data_, 0, n * sizeof(T), cudaStreamPerThread), "clear memory");
+    if (data_) check(cudaMemsetAsync(data_, 0, n * sizeof(T), cudaStreamPerThread), "clear memory");
   }
   void assign(const std::vector<T>& values) {
     allocate(values.size());
     upload(values);
   }
   void upload(const std::vector<T>& values) {
-    if (size_ == 0) return;
+    if (!data_) return;
     check(cudaMemcpyAsync(data_, values.data(), size_ * sizeof(T), cudaMemcpyHostToDevice, cudaStreamPerThread),
           "copy to device");
   }
@@ -64,10 +64,9 @@ class CudaArray {
     if (n == size_) return;
     check(cudaFree(data_), "free memory");
     data_ = nullptr;
-    MachineMemory::bytes += (n - size_) * sizeof(T);
     ++MachineMemory::changes;
-    size_ = n;
-    if (n > 0) check(cudaMalloc(&data_, n * sizeof(T)), "allocate memory");
+    const bool fits = MachineMemory::book(std::exchange(size_, n) * sizeof(T), n * sizeof(T));
+    if (n > 0 && fits) check(cudaMalloc(&data_, n * sizeof(T)), "allocate memory");
   }
   T* data_ = nullptr;
   std::size_t size_ = 0;

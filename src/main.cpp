@@ -24,7 +24,9 @@ int main(int count, char** words) {
   using namespace ashlar;
   const std::map<std::string, std::function<int(const Arguments&)>> commands = {
       {"new", new_command},
-      {"run", run_command},     {"check", check_command}, {"export", export_command},   {"plot", plot_command},
+      {"run", run_command},
+      {"resume", resume_command},
+      {"check", check_command}, {"export", export_command},   {"plot", plot_command},
       {"material", material_command},
       {"compare", compare_command},
       {"bench", bench_command}, {"info", info_command},   {"version", version_command}, {"help", help_command},

@@ -71,6 +71,8 @@ enum class Field : std::uint8_t {
   utilisation,          ///< [contact points] 1: at its strength
   displacement_before,  ///< [3 * block nodes] m, start of the way that spring_crossing looks at
   spring_dissipation,   ///< [contact points] J since start_motion, by sliding and cracking
+  load_work,            ///< [block nodes] J since start_motion
+  damping_work,         ///< [block nodes] J since start_motion
   temperature,          ///< [mesh nodes] degC
   heat,                 ///< [mesh nodes] W into the body: flux, and film times ambient
   inverse_capacity,     ///< [mesh nodes] K/J
@@ -158,6 +160,7 @@ struct Setup {
   std::vector<double> conductivity{};             ///< [materials] W/(m K); empty: no thermal stages
   double reference_temperature = 0;               ///< degC
   bool heat_only = false;                         ///< nothing of the stress lane: no phase or field of it
+  bool motion = false;                            ///< whether a stage is dynamic
 
   /// [batches + 1] Gauss points that remember: first of each batch, Gauss points in a batch as in Batch::gauss.
   std::vector<int> first_history() const;
@@ -174,7 +177,9 @@ class Backend {
   virtual double copy_bandwidth() = 0;
   /// Runs one phase to its end and books its wall time.
   void run(Phase phase, const Controls& controls = {});
-  /// Seconds spent in a phase since the backend was made.
+  /// Whether run() comes back before the phase has ended.
+  virtual bool runs_ahead() const = 0;
+  /// Seconds spent in a phase since the backend was made; of machines that run ahead, in sending it off.
   double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
   /// Steps of relaxation: block_force, gather_force, spring_force, move_nodes. Machines may fuse them; the bits stay.
   virtual void relax(const Controls& controls, int steps);
@@ -203,6 +208,11 @@ class Backend {
   /// Takes Field::temperature of another machine of the same model that has nothing left to do; machine to machine
   /// where both are of a kind. Done when it returns.
   virtual void take_temperature(Backend& from) = 0;
+  /// All bits of a field, to go on from later. Of fields that are sums of two numbers first the one, then the other.
+  virtual std::vector<double> save(Field field) const = 0;
+  virtual void restore(Field field, std::span<const double> values) = 0;
+  /// Bytes of its arrays, with those that stages add at most.
+  virtual std::size_t memory_bytes() const = 0;
   /// Whether stress takes account of Field::warming. Off until a stage has a temperature.
   virtual void use_warming(bool on) = 0;
   /// Divides the strength of every law and interface, as it was at set-up, by `factor`.

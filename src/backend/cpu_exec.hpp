@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "backend/machine_memory.hpp"
 #include "backend/pack.hpp"
@@ -39,24 +40,25 @@ class CpuExec {
   class Array {
    public:
     Array() = default;
-    Array(Array&&) = default;
-    ~Array() { count(0); }
+    Array(Array&& other) noexcept : size_(std::exchange(other.size_, 0)), values_(std::move(other.values_)) {}
+    ~Array() { book(0); }
     void resize(std::size_t n) {
-      count(n);
-      values_.assign(n, T());
+      if (book(n)) values_.assign(n, T());
     }
     void assign(const std::vector<T>& values) {
-      count(values.size());
-      values_ = values;
+      if (book(values.size())) values_ = values;
     }
-    void upload(const std::vector<T>& values) { std::copy(values.begin(), values.end(), values_.begin()); }
+    void upload(const std::vector<T>& values) {
+      if (!values_.empty()) std::copy(values.begin(), values.end(), values_.begin());
+    }
     void download(std::vector<T>& values) const { values = values_; }
     void copy(const Array& other) { values_ = other.values_; }
-    std::size_t size() const { return values_.size(); }
+    std::size_t size() const { return size_; }
     T* data() { return values_.data(); }
 
    private:
-    void count(std::size_t n) { MachineMemory::bytes += (n - values_.size()) * sizeof(T); }
+    bool book(std::size_t n) { return MachineMemory::book(std::exchange(size_, n) * sizeof(T), n * sizeof(T)); }
+    std::size_t size_ = 0;
     std::vector<T> values_;
   };
 

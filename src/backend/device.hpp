@@ -42,7 +42,13 @@ CudaSupport cuda_support();
 /// The phases on one NVIDIA device. Throws ResourceError: no such device, too little memory, a failed launch.
 std::unique_ptr<Backend> make_cuda_backend(const Setup& setup, Precision precision, int device);
 
-/// The backend that was chosen; automatic: the first NVIDIA device, else the CPU. Throws ResourceError.
-std::unique_ptr<Backend> make_backend(const Setup& setup, Precision precision, const DeviceChoice& choice, int threads);
+/// Bytes of memory that this process could still take: of the machine, or of the control group that it runs in.
+std::size_t available_memory();
+
+/// The backend that was chosen; automatic: the first NVIDIA device, else the CPU. Throws ResourceError, also where its
+/// arrays would not fit: nothing beyond the free memory is allocated to find out.
+/// @param memory bytes that it may take; 0: what is free
+std::unique_ptr<Backend> make_backend(const Setup& setup, Precision precision, const DeviceChoice& choice, int threads,
+                                      std::size_t memory = 0);
 
 }  // namespace ashlar

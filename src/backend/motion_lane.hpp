@@ -12,8 +12,8 @@ template <class Exec, class Real>
 class MotionLane {
  public:
   void start(std::size_t nodes, std::size_t contacts) {
-    supplied_.resize(nodes);
-    damped_.resize(nodes);
+    load_work.resize(nodes);
+    damping_work.resize(nodes);
     spring_dissipation.resize(contacts);
     damped_by_stiffness_ = false;
   }
@@ -40,15 +40,15 @@ class MotionLane {
   using Array = typename Exec::template Array<T>;
   MotionView<Real> view() {
     return {damped_by_stiffness_ ? damping_force_.data() : nullptr,
-            given_velocity.size() > 0 ? given_velocity.data() : nullptr, supplied_.data(), damped_.data()};
+            given_velocity.size() > 0 ? given_velocity.data() : nullptr, load_work.data(), damping_work.data()};
   }
   bool damped_by_stiffness_ = false;
   Array<Real> damping_force_;
-  Array<double> supplied_, damped_;
 
  public:
   Array<Real> given_velocity;        ///< [3 * nodes] m/s of held components; empty: at rest
   Array<double> spring_dissipation;  ///< [contacts] J
+  Array<double> load_work, damping_work;  ///< [nodes] J
 };
 
 }  // namespace ashlar

@@ -88,8 +88,11 @@ class Phases final : public Backend {
              .history_stride = first_history_.back(),
              .corner_gradient = nullptr};
     find_gradients();
+    own_bytes_ = MachineMemory::bytes - own_bytes_;
+    stage_bytes_ = stage_bytes(setup);
   }
 
+  std::size_t memory_bytes() const override { return own_bytes_ + stage_bytes_; }
   std::string name() const override { return exec_.name() + (Summed<Real>::paired ? ", single precision" : ""); }
   double rounding() const override { return std::numeric_limits<Real>::epsilon(); }
   void use_warming(bool on) override { warm_ = on; }
@@ -99,6 +102,7 @@ class Phases final : public Backend {
     springs_.weaken(factor);
     ++MachineMemory::changes;  // launches that a machine has recorded carry the laws
   }
+  bool runs_ahead() const override { return Exec::marches; }
   void finish() override { exec_.finish(); }
   double copy_bandwidth() override {
     using Clock = std::chrono::steady_clock;
@@ -266,11 +270,41 @@ class Phases final : public Backend {
       write(Field::temperature, from.Backend::read(Field::temperature));
     exec_.finish();
   }
+  std::vector<double> save(Field field) const override {
+    return visit_field(*this, field, [](const auto& array) {
+      if constexpr (requires { array.save(); }) {
+        return array.save();
+      } else {
+        std::vector<double> values(array.size());
+        copy_out(array, values);
+        return values;
+      }
+    });
+  }
+  void restore(Field field, std::span<const double> values) override {
+    visit_field(*this, field, [&](auto& array) {
+      if constexpr (requires { array.save(); })
+        array.restore(values);
+      else
+        copy_in(array, values);
+    });
+  }
 
  private:
   template <class T>
   using Array = typename Exec::template Array<T>;
   BalanceView<Real> balance_view() { return balance_.view(body_, groups_); }
+  /// What stages add at most: groups, elastic search, motion.
+  static std::size_t stage_bytes(const Setup& setup) {
+    if (setup.heat_only) return 0;
+    const std::size_t nodes = setup.discretisation.blocks.node_count, contacts = setup.contacts.count(),
+                      vector = 3 * nodes * sizeof(Real);
+    const std::size_t groups = contacts > 0 ? vector + nodes * (sizeof(Real) + 3 * sizeof(int)) + sizeof(int) : 0;
+    const std::size_t search = 5 * vector + 2 * nodes * sizeof(int) + 3 * contacts * sizeof(Real) +
+                               setup.discretisation.patch_count() * (rigid_modes * sizeof(double) + sizeof(int)) + sizeof(int);
+    const std::size_t motion = setup.motion ? vector + (2 * nodes + contacts) * sizeof(double) : 0;
+    return groups + search + motion;
+  }
   int node_count() const { return body_.nodes.node_count; }
   int contact_count() const { return springs_.pairs().contact_count + springs_.overlaps().contact_count; }
 
@@ -425,6 +459,7 @@ class Phases final : public Backend {
           corner_gradient_.resize(3 * std::size_t(discretisation_.slot_count));
           body_.corner_gradient = corner_gradient_.data();
         }
+        if (!MachineMemory::within_limit()) return;
         const BatchView batch = batch_view(b);
         exec_.for_each(batch.element_count, CornerGradient<E, Real>{body_, batch});
       }
@@ -506,6 +541,8 @@ class Phases final : public Backend {
       case Field::utilisation: return visit(self.springs_.utilisation);
       case Field::displacement_before: return visit(self.u_before_);
       case Field::spring_dissipation: return visit(self.motion_.spring_dissipation);
+      case Field::load_work: return visit(self.motion_.load_work);
+      case Field::damping_work: return visit(self.motion_.damping_work);
       case Field::temperature: return visit(self.heat_.temperature);
       case Field::heat: return visit(self.heat_.heat);
       case Field::inverse_capacity: return visit(self.heat_.inverse_capacity);
@@ -527,12 +564,13 @@ class Phases final : public Backend {
     array.upload(copy);
   }
   template <class T>
-  static void copy_out(Array<T>& array, std::span<double> values) {
+  static void copy_out(const Array<T>& array, std::span<double> values) {
     std::vector<T> copy(array.size());
     array.download(copy);
     for (std::size_t i = 0; i < copy.size(); ++i) values[i] = double(copy[i]);
   }
 
+  std::size_t own_bytes_ = MachineMemory::bytes, stage_bytes_ = 0;
   Exec exec_;
   const Discretisation& discretisation_;
   std::vector<BlockLaw> full_laws_, laws_;

@@ -40,6 +40,24 @@ class SummedArray {
     }
   }
 
+  /// All bits: the first numbers, then the second ones where there are any.
+  std::vector<double> save() const {
+    std::vector<double> all;
+    std::vector<Real> part(size());
+    for (const Array<Real>* array : {&high_, &low_}) {
+      if (array->size() == 0) continue;
+      array->download(part);
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+  }
+  void restore(std::span<const double> values) {
+    if (values.size() != high_.size() + low_.size()) throw std::logic_error("field of the wrong size");
+    const auto second = values.begin() + static_cast<std::ptrdiff_t>(size());
+    high_.upload(std::vector<Real>(values.begin(), second));
+    if (low_.size() > 0) low_.upload(std::vector<Real>(second, values.end()));
+  }
+
  private:
   template <class T>
   using Array = typename Exec::template Array<T>;

@@ -25,8 +25,11 @@ const std::vector<Option>& options() {
        "the same device"},
       {"--precision", "PRECISION", "double, or single: half the memory; faster on NVIDIA devices (double)"},
       {"--threads", "N", "number of threads of the CPU (all cores)"},
+      {"--memory", "GB", "most memory for the arrays of the machine that computes (what is free)"},
       {"--elements", "N", "one size of about N elements instead of the usual ones"},
       {"--out", "DIR", "folder for the results (DECK without .lua, plus .run)"},
+      {"--checkpoint-every", "MINUTES",
+       "time between checkpoints within a stage (10); there is one after every stage anyway"},
       {"--force", "", "replaces the results of an earlier run, or an exported file"},
       {"--to", "FILE",
        "file to export to: .msh (Gmsh), .vtu (ParaView), .inp (CalculiX, Abaqus); curves of material: .csv"},
@@ -143,9 +146,11 @@ void take_option(Arguments& arguments, const std::string& name, const std::strin
   }
   if (name == "--precision") arguments.precision = precision_named(value);
   if (name == "--threads") arguments.threads = whole_number(name, value);
+  if (name == "--memory") arguments.memory = positive_number(name, value);
   if (name == "--elements") arguments.elements = whole_number(name, value);
   if (name == "--out") arguments.out = value;
   if (name == "--force") arguments.force = true;
+  if (name == "--checkpoint-every") arguments.checkpoint_every = positive_number(name, value);
   if (name == "--to") arguments.to = value;
   if (name == "--confining") arguments.confining = positive_numbers(name, value);
   if (name == "--tolerance") {
@@ -168,8 +173,14 @@ std::span<const Verb> verbs() {
        "DECK",
        1,
        1,
-       {"--set", "--device", "--devices", "--precision", "--threads", "--out", "--force"},
+       {"--set", "--device", "--devices", "--precision", "--threads", "--memory", "--out", "--checkpoint-every", "--force"},
        "solves a deck and writes its results"},
+      {"resume",
+       "RUN",
+       1,
+       1,
+       {"--device", "--devices", "--threads", "--memory", "--checkpoint-every"},
+       "goes on with a run that was stopped or killed, from its last checkpoint, to the same results"},
       {"check", "DECK", 1, 1, {"--set"}, "reads a deck and shows mesh, contacts and plan without solving"},
       {"export",
        "DECK",

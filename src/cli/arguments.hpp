@@ -25,9 +25,11 @@ struct Arguments {
   DeviceChoice device;                                        ///< --device; automatic unless given; stress of --devices
   std::optional<DeviceChoice> heat_device;                    ///< thermal of --devices
   Precision precision = Precision::double_precision;          ///< --precision
+  double memory = 0;                                          ///< --memory, GB; 0: what is free
   int elements = 0;                                           ///< --elements; 0: the usual sizes
   std::string out;                                            ///< --out
   bool force = false;                                         ///< --force
+  double checkpoint_every = 10;                               ///< --checkpoint-every, minutes
   std::string to;                                             ///< --to
   std::vector<double> confining{1, 5};                        ///< --confining, MPa
   double size = 0.5;                                          ///< --size, m

@@ -6,6 +6,7 @@ namespace ashlar {
 
 int new_command(const Arguments& arguments);
 int run_command(const Arguments& arguments);
+int resume_command(const Arguments& arguments);
 int check_command(const Arguments& arguments);
 int export_command(const Arguments& arguments);
 int info_command(const Arguments& arguments);

@@ -1,8 +1,12 @@
 #include "cli/estimate.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
+#include "backend/machine_memory.hpp"
 #include "cli/wording.hpp"
 #include "model/check_mesh.hpp"
 
@@ -17,13 +21,18 @@ constexpr double search_steps = 1, most_search_steps = 45, event_steps = 4, rest
 constexpr double search_over_force = 2.2, relaxation_over_force = 1.6, motion_over_force = 1.4, march_over_heat = 1.2,
                  steady_over_heat = 1.4;
 
-/// Bytes of the arrays of backend and discretisation.
-double bytes_needed(const Mesh& mesh, const Blocks& blocks, const ContactPoints& contacts) {
-  constexpr double per_node = 540, per_corner = 160, per_gauss_point = 80, per_contact_point = 540, program = 20e6;
-  double gauss = 0;
-  for (Shape shape : mesh.shapes) gauss += gauss_count(shape);
-  return program + per_node * blocks.node_count() + per_corner * static_cast<double>(blocks.corners.size()) +
-         per_gauss_point * gauss + per_contact_point * contacts.count();
+/// What the program holds at this moment, bytes.
+std::size_t resident_memory() {
+  std::size_t all = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> all >> resident;
+  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// Machine and model are set up: what is still to come are arrays that stages add.
+std::string memory_text(const Backend& backend) {
+  const std::size_t machine = backend.memory_bytes(), to_come = machine - std::min(machine, MachineMemory::bytes);
+  return text("memory %.3g MB for the machine that computes, %.3g MB in all on a CPU",
+              static_cast<double>(machine) / 1e6, static_cast<double>(resident_memory() + to_come) / 1e6);
 }
 
 /// Nodes that a wave passes on its way through the model.
@@ -55,8 +64,7 @@ std::string rounded(double steps) {
 std::vector<std::string> estimate_effort(const Problem& problem, const std::vector<StagePlan>& plan,
                                          const StepSeconds& seconds) {
   const Model& model = problem.model;
-  std::vector<std::string> lines{
-      text("memory about %.0f MB", bytes_needed(model.mesh, problem.blocks, problem.contacts) / 1e6)};
+  std::vector<std::string> lines{memory_text(*problem.backend)};
   const double across = elements_across(model.mesh);
   for (std::size_t i = 0; i < model.stages.size(); ++i) {
     const Stage& stage = model.stages[i];

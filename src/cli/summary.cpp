@@ -82,12 +82,12 @@ void describe_cracks(Page& page, const StageResult& stage) {
     page.line("cracks", "  " + counted(static_cast<long>(stage.free_blocks.size()), "block") + " without any contact");
 }
 
-/// Seconds per phase over all stages, the longest first.
-void describe_phases(Page& page, const RunResult& result) {
+/// Seconds per activity or per phase over all stages, the longest first, one line each.
+void describe_times(Page& page, const RunResult& result, std::vector<PhaseTime> StageResult::*times, const char* indent) {
   std::vector<PhaseTime> total;
   double sum = 0;
   for (const StageResult& stage : result.stages)
-    for (const PhaseTime& time : stage.phases) {
+    for (const PhaseTime& time : stage.*times) {
       auto same = std::find_if(total.begin(), total.end(), [&](const PhaseTime& t) { return t.phase == time.phase; });
       if (same == total.end()) same = total.insert(total.end(), {time.phase, 0});
       same->seconds += time.seconds;
@@ -97,7 +97,7 @@ void describe_phases(Page& page, const RunResult& result) {
                    [](const PhaseTime& a, const PhaseTime& b) { return a.seconds > b.seconds; });
   for (const PhaseTime& time : total)
     if (time.seconds > 0.01 * sum)
-      page.line("time", text("  %s %s (%.0f %%)", time.phase.c_str(), duration_text(time.seconds).c_str(),
+      page.line("time", text("%s%s %s (%.0f %%)", indent, time.phase.c_str(), duration_text(time.seconds).c_str(),
                              100 * time.seconds / sum));
 }
 
@@ -122,8 +122,11 @@ std::string summary(const Model& model, const RunResult& result, const RunFacts&
   for (const StageResult& stage : result.stages)
     if (stage.fracture_work > 0)
       page.line("cracks", text("%s: cracking blocks released %.4g J", stage.name.c_str(), stage.fracture_work));
-  page.line("time", duration_text(facts.wall_seconds) + " in all");
-  describe_phases(page, result);
+  page.line("time", duration_text(facts.wall_seconds) + (facts.resumed ? " since it was resumed" : " in all"));
+  describe_times(page, result, &StageResult::activities, "  ");
+  const bool phases = std::any_of(result.stages.begin(), result.stages.end(), [](auto& s) { return !s.phases.empty(); });
+  if (phases) page.line("time", "  by phases of steps, set-up and output:");
+  describe_times(page, result, &StageResult::phases, "    ");
   page.line("memory", text("%.0f MB at most", peak_memory() / 1e6));
   for (const ExpectOutcome& outcome : facts.expects)
     page.line("expect", (outcome.passed ? "ok      " : "FAILED  ") + outcome.name + ": " + outcome.message);

@@ -10,6 +10,7 @@ namespace ashlar {
 /// What a run leaves besides its RunResult.
 struct RunFacts {
   double wall_seconds = 0;
+  bool resumed = false;  ///< wall_seconds is the time since then
   std::vector<ExpectOutcome> expects;
   std::string folder;
   std::vector<std::string> files;  ///< names inside the folder

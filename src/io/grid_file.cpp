@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "base/error.hpp"
 #include "io/text_file.hpp"
 
 namespace ashlar {
@@ -84,13 +85,25 @@ GridStep read_step(hdf5::File& file, std::size_t step) {
 GridFile::GridFile(const std::string& folder, const std::string& name, const Grid& grid,
                    const std::vector<std::pair<std::string, std::string>>& attributes,
                    const std::vector<std::pair<GridArray, std::vector<int>>>& fixed,
-                   const std::vector<GridArray>& varying)
+                   const std::vector<GridArray>& varying, std::size_t keep)
     : folder_(folder),
       name_(name),
-      file_((std::filesystem::path(folder) / (name + ".vtkhdf")).string()),
+      file_(path(), keep > 0 ? hdf5::Mode::change : hdf5::Mode::create),
       point_count_(grid.point_count()),
       cell_count_(grid.cell_count()),
+      topology_size_(grid.connectivity.size() + grid.cell_count()),
       varying_(varying) {
+  for (const auto& entry : fixed) fixed_.push_back(entry.first);
+  if (keep > 0)
+    go_on_behind(keep);
+  else
+    create(grid, attributes, fixed);
+}
+
+std::string GridFile::path() const { return (std::filesystem::path(folder_) / (name_ + ".vtkhdf")).string(); }
+
+void GridFile::create(const Grid& grid, const std::vector<std::pair<std::string, std::string>>& attributes,
+                      const std::vector<std::pair<GridArray, std::vector<int>>>& fixed) {
   for (const char* group : {"/VTKHDF", "/VTKHDF/PointData", "/VTKHDF/CellData", "/VTKHDF/Steps",
                             "/VTKHDF/Steps/PointDataOffsets", "/VTKHDF/Steps/CellDataOffsets", "/Xdmf", "/Steps"})
     file_.group(group);
@@ -110,7 +123,6 @@ GridFile::GridFile(const std::string& folder, const std::string& name, const Gri
   file_.write("/VTKHDF/Offsets", std::span(grid.offsets), {cell_count_ + 1});
   file_.write("/VTKHDF/Types", std::span(grid.types), {cell_count_});
   const auto topology = xdmf_topology(grid);
-  topology_size_ = topology.size();
   file_.write("/Xdmf/topology", std::span(topology), {topology_size_});
   file_.attribute("/VTKHDF/Points", "unit", std::string("m"));
 
@@ -132,7 +144,6 @@ GridFile::GridFile(const std::string& folder, const std::string& name, const Gri
   for (const auto& [array, values] : fixed) {
     file_.write(path_of(array), std::span(values), {values.size()});
     describe(array, "names");
-    fixed_.push_back(array);
   }
   for (const auto& array : varying_) {
     std::vector<hsize_t> row;
@@ -141,6 +152,25 @@ GridFile::GridFile(const std::string& folder, const std::string& name, const Gri
     describe(array, array.components > 1 ? "components" : "names");
   }
   file_.flush();
+}
+
+void GridFile::go_on_behind(std::size_t steps) {
+  for (std::size_t s = 0; s < steps; ++s) {
+    if (!file_.has(step_group(s))) throw ResourceError(path() + " has lost output " + std::to_string(s + 1));
+    steps_.push_back(read_step(file_, s));
+  }
+  for (std::size_t s = steps; file_.has(step_group(s)); ++s) file_.remove(step_group(s));
+  for (const auto& array : fixed_) file_.cut(offsets_of(array), steps);
+  for (const auto& array : varying_) {
+    file_.cut(path_of(array), steps * rows(array));
+    file_.cut(offsets_of(array), steps);
+  }
+  for (const char* dataset : {"Values", "PartOffsets", "NumberOfParts", "PointOffsets", "CellOffsets",
+                              "ConnectivityIdOffsets"})
+    file_.cut(std::string("/VTKHDF/Steps/") + dataset, steps);
+  file_.attribute("/VTKHDF/Steps", "NSteps", static_cast<std::int64_t>(steps));
+  file_.flush();
+  write_xdmf();
 }
 
 void GridFile::append(const GridStep& step, const std::vector<const void*>& data) {

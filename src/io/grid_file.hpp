@@ -48,17 +48,24 @@ GridStep read_step(hdf5::File& file, std::size_t step);
 /// ResourceError if the disk does not take the data.
 class GridFile {
  public:
-  /// `fixed` holds whole-run integer arrays (regions), `varying` those that every append brings.
+  /// `fixed` holds whole-run integer arrays (regions), `varying` those that every append brings. `keep`: goes on with
+  /// the file of the same grid that is there, behind its first `keep` steps; the others are dropped. 0: a new file.
   GridFile(const std::string& folder, const std::string& name, const Grid& grid,
            const std::vector<std::pair<std::string, std::string>>& attributes,
-           const std::vector<std::pair<GridArray, std::vector<int>>>& fixed, const std::vector<GridArray>& varying);
+           const std::vector<std::pair<GridArray, std::vector<int>>>& fixed, const std::vector<GridArray>& varying,
+           std::size_t keep = 0);
 
   /// `data` is parallel to `varying`: each points at components * points (or cells) values of the array's type.
   void append(const GridStep& step, const std::vector<const void*>& data);
 
+  const std::vector<GridStep>& steps() const { return steps_; }
   std::vector<std::string> file_names() const { return {name_ + ".vtkhdf", name_ + ".xdmf"}; }
 
  private:
+  void create(const Grid& grid, const std::vector<std::pair<std::string, std::string>>& attributes,
+              const std::vector<std::pair<GridArray, std::vector<int>>>& fixed);
+  void go_on_behind(std::size_t steps);
+  std::string path() const;
   void write_xdmf() const;
   std::string xdmf_item(const std::string& dataset, const GridArray& array) const;
   std::size_t rows(const GridArray& array) const { return array.on_points ? point_count_ : cell_count_; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "io/steady_driver.hpp"
+#include "io/text_file.hpp"
 
 namespace ashlar::hdf5 {
 
@@ -24,7 +26,8 @@ void be_quiet() {
   static_cast<void>(done);
 }
 
-Handle open_file(const std::string& path, Mode mode) {
+/// `path`: what messages call it.
+Handle open_file(const std::string& path, const std::string& written_as, Mode mode) {
   be_quiet();
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path, "prepare the file");
   H5Pset_file_locking(access, false, true);
@@ -32,10 +35,13 @@ Handle open_file(const std::string& path, Mode mode) {
   H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST);
   if (mode == Mode::read)
     return Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, path, "read the file");
+  use_steady_driver(access);
+  if (mode == Mode::change)
+    return Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose, path, "open the file");
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path, "prepare the file");
   H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
   H5Pset_obj_track_times(creation, false);
-  return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, path, "create the file");
+  return Handle(H5Fcreate(written_as.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, path, "create the file");
 }
 
 /// Fixed-length text: ASCII where it is, UTF-8 elsewhere.
@@ -71,7 +77,20 @@ Handle::~Handle() {
   if (id_ >= 0) close_(id_);
 }
 
-File::File(const std::string& path, Mode mode) : path_(path), file_(open_file(path, mode)) {}
+File::File(const std::string& path, Mode mode)
+    : path_(path), written_as_(mode == Mode::create ? path + ".part" : ""), file_(open_file(path, written_as_, mode)) {}
+
+void File::cut(const std::string& name, hsize_t rows) {
+  const Handle dataset = open(name);
+  auto shape = shape_of(dataset);
+  if (shape.at(0) < rows) throw ResourceError(path_ + ": " + name + " has lost rows: the file has been changed");
+  shape[0] = rows;
+  check(H5Dset_extent(dataset, shape.data()), "cut " + name);
+}
+
+void File::remove(const std::string& name) {
+  check(H5Ldelete(file_, name.c_str(), H5P_DEFAULT), "remove " + name);
+}
 
 void File::check(herr_t status, const std::string& what) {
   if (status < 0) fail(path_, what);
@@ -235,6 +254,11 @@ void File::attribute(const std::string& object, const std::string& name, const s
   if (!texts.empty()) write_attribute(object, name, text_type(path_, length, false), stored.data(), texts.size());
 }
 
-void File::flush() { check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "write the file to disk"); }
+void File::flush() {
+  check(H5Fflush(file_, H5F_SCOPE_GLOBAL), "write the file to disk");
+  if (written_as_.empty()) return;
+  rename_file(written_as_, path_);
+  written_as_.clear();
+}
 
 }  // namespace ashlar::hdf5

@@ -48,9 +48,9 @@ inline hid_t type_of<std::uint8_t>() {
   return H5T_NATIVE_UINT8;
 }
 
-enum class Mode { create, read };
+enum class Mode { create, read, change };
 
-/// A file: no time stamps, no file locking, links in order of creation, so that the same data give the same bytes and a
+/// A file: it appears, in place of an older one, with its first flush; no time stamps, no file locking, links in order of creation, so that the same data give the same bytes and a
 /// reader never stops the run.
 class File {
  public:
@@ -72,6 +72,9 @@ class File {
                    bool compressed);
   /// Adds `rows` rows and returns how many there were before.
   hsize_t append(const std::string& name, hid_t type, const void* values, hsize_t rows);
+  /// Drops all rows behind the first `rows`.
+  void cut(const std::string& name, hsize_t rows);
+  void remove(const std::string& name);  ///< a group or dataset
   std::vector<hsize_t> shape(const std::string& name) { return shape_of(open(name)); }
   /// All values of a dataset, converted to T.
   template <class T>
@@ -100,7 +103,8 @@ class File {
   void attribute(const std::string& object, const std::string& name, const std::string& text);
   void attribute(const std::string& object, const std::string& name, const std::vector<std::string>& texts);
 
-  /// Everything written so far can be read even if the program is killed.
+  /// Everything written so far can be read even if the program is killed; until the next flush readers see nothing
+  /// newer.
   void flush();
 
  private:
@@ -115,6 +119,7 @@ class File {
   void check(herr_t status, const std::string& what);
 
   std::string path_;
+  std::string written_as_;  ///< until the file appears; then empty
   Handle file_;
 };
 

@@ -109,18 +109,19 @@ Grid face_grid(const Mesh& mesh, const Blocks& blocks, const ContactPoints& cont
   return grid;
 }
 
-GridFile make_results(const std::string& folder, const std::string& program, const Model& model, const Blocks& blocks) {
+GridFile make_results(const std::string& folder, const std::string& program, const Model& model, const Blocks& blocks,
+                      std::size_t keep) {
   const Mesh& mesh = model.mesh;
   const GridArray region{"region", false, 1, Type::integer, "", mesh.region_names};
   const GridArray block{"block", false, 1, Type::integer, ""};
   return GridFile(folder, "results", body_grid(mesh, blocks),
                   attributes_of(program, model, "points: nodes of the blocks; cells: elements of the mesh"),
                   {{region, mesh.regions}, {block, blocks.block_of_element}},
-                  arrays_of(result_fields, recorded_names(model)));
+                  arrays_of(result_fields, recorded_names(model)), keep);
 }
 
 GridFile make_interfaces(const std::string& folder, const std::string& program, const Model& model,
-                         const Blocks& blocks, const ContactPoints& contacts) {
+                         const Blocks& blocks, const ContactPoints& contacts, std::size_t keep) {
   GridArray interface { "interface", false, 1, Type::integer, "" };
   for (const auto& declared : model.interfaces) interface.labels.push_back(declared.name);
   const std::vector<int> cells = cells_of(contacts);
@@ -131,7 +132,7 @@ GridFile make_interfaces(const std::string& folder, const std::string& program, 
       attributes_of(
           program, model,
           "cells: coincident faces, then triangles of overlaps; points: their contact points, cell after cell"),
-      {{interface, numbers}}, interface_arrays(recorded_names(model)));
+      {{interface, numbers}}, interface_arrays(recorded_names(model)), keep);
 }
 
 std::vector<std::string> names_of(const std::vector<GridArray>& arrays) {
@@ -201,16 +202,17 @@ std::vector<std::string> recorded_names(const Model& model) {
 }
 
 ResultFile::ResultFile(const std::string& folder, const std::string& program, const Model& model, const Blocks& blocks,
-                       const ContactPoints& contacts)
+                       const ContactPoints& contacts, std::size_t keep)
     : model_(model),
       contacts_(contacts),
       node_count_(blocks.mesh_node.size()),
       result_arrays_(names_of(arrays_of(result_fields, recorded_names(model)))),
       interface_arrays_(names_of(interface_arrays(recorded_names(model)))),
-      results_(make_results(folder, program, model, blocks)) {
+      results_(make_results(folder, program, model, blocks, keep)) {
   const bool beside_displacement = interface_arrays_.size() > contains(interface_arrays_, "displacement");
   if (!blocks.faces.empty() && beside_displacement)
-    interfaces_.emplace(make_interfaces(folder, program, model, blocks, contacts));
+    interfaces_.emplace(make_interfaces(folder, program, model, blocks, contacts, keep));
+  if (count() > 0) last_time_ = results_.steps().back().time;
 }
 
 void ResultFile::append(const Snapshot& snapshot) {

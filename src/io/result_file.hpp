@@ -29,9 +29,10 @@ std::vector<std::string> recorded_names(const Model& model);
 /// i.
 class ResultFile {
  public:
-  /// Creates the files in `folder`. `program` ("ashlar 0.1.0") is written into them. Model and contacts outlive it.
+  /// Creates the files in `folder`, or goes on with those that are there behind their first `keep` outputs. `program`
+  /// ("ashlar 0.1.0") is written into them. Model and contacts outlive it.
   ResultFile(const std::string& folder, const std::string& program, const Model& model, const Blocks& blocks,
-             const ContactPoints& contacts);
+             const ContactPoints& contacts, std::size_t keep = 0);
 
   /// The files' time axis is the snapshot's time: stages done, with the fraction of the present one.
   /// Before the first mechanical stage (a snapshot without displacement) mechanical fields are zero; in a state that is
@@ -39,6 +40,7 @@ class ResultFile {
   /// missing in the snapshot or has the wrong size.
   void append(const Snapshot& snapshot);
 
+  std::size_t count() const { return results_.steps().size(); }
   std::vector<std::string> file_names() const;
 
  private:

@@ -12,10 +12,14 @@ class RunFolder {
   /// ResourceError if the disk refuses.
   RunFolder(const std::string& path, bool replace);
 
+  /// The folder of a run that goes on.
+  static RunFolder existing(const std::string& path) { return RunFolder(path); }
+
   const std::string& path() const { return path_; }
   std::string file(const std::string& name) const;
 
  private:
+  explicit RunFolder(const std::string& path) : path_(path) {}
   std::string path_;
 };
 

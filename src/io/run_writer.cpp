@@ -9,6 +9,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "io/checkpoint_file.hpp"
 #include "io/history_file.hpp"
 #include "io/result_file.hpp"
 #include "io/sha256.hpp"
@@ -131,12 +132,24 @@ Json described(const StageResult& stage) {
                      {"seconds_of_both", stage.lanes->both}};
   if (stage.initial) json["initial_stress_out_of_balance"] = stage.initial->share;
   json["wall_seconds"] = stage.wall_seconds;
+  json["activity_seconds"] = Json::object();
+  for (const auto& activity : stage.activities) json["activity_seconds"][activity.phase] = activity.seconds;
   json["phase_seconds"] = Json::object();
   for (const auto& phase : stage.phases) json["phase_seconds"][phase.phase] = phase.seconds;
   return json;
 }
 
 }  // namespace
+
+std::vector<std::string> identity(const RunDescription& description) {
+  std::vector<std::string> lines{"ashlar " + description.version + ", checkpoints of kind 1",
+                                 description.precision + " precision"};
+  for (const auto& [name, value] : description.settings) lines.push_back("argument " + name + "=" + value);
+  std::vector<std::string> files = description.files;
+  if (std::find(files.begin(), files.end(), description.deck) == files.end()) files.push_back(description.deck);
+  for (const std::string& file : files) lines.push_back(file + " with sha256 " + sha256(bytes_of(file)));
+  return lines;
+}
 
 struct RunWriter::Files {
   RunFolder folder;
@@ -146,15 +159,30 @@ struct RunWriter::Files {
   ResultFile results;
   std::map<std::string, std::pair<std::string, HistoryFile>> histories;  ///< by name: file name and file
   std::vector<std::string> history_files;
-  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now(), last_progress = start;
+  std::vector<std::string> identity_lines;
+  std::chrono::duration<double> between_checkpoints;
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now(), last_progress = start,
+                                        last_checkpoint = start;
 
   Files(const RunFolder& folder, const RunDescription& description, const Model& model, const Blocks& blocks,
-        const ContactPoints& contacts)
+        const ContactPoints& contacts, const RunKept& kept)
       : folder(folder),
-        log(folder.file("log.jsonl")),
+        log(own_log(folder, !kept.identity.empty())),
         manifest(first_manifest(description, model, blocks, contacts)),
         deck_copy(copy_deck(description)),
-        results(folder.path(), "ashlar " + description.version, model, blocks, contacts) {}
+        results(folder.path(), "ashlar " + description.version, model, blocks, contacts, kept.outputs),
+        identity_lines(identity(description)),
+        between_checkpoints(60 * description.checkpoint_minutes) {
+    if (kept.stages == 0) return;
+    const auto earlier = Json::parse(bytes_of(folder.file("manifest.json")), nullptr, false);
+    for (int s = 0; s < kept.stages; ++s) manifest["stages"].push_back(earlier.at("stages").at(s));
+  }
+
+  static GrowingFile own_log(const RunFolder& folder, bool go_on) {
+    GrowingFile log(folder.file("log.jsonl"), go_on);
+    if (!log.claim()) throw ResourceError("another program is at work in '" + folder.path() + "'");
+    return log;
+  }
 
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
 
@@ -165,6 +193,8 @@ struct RunWriter::Files {
     Json arguments = Json::array();
     for (const auto& a : description.arguments)
       arguments.push_back({{"name", a.name}, {"value", a.value}, {"unit", a.unit}, {"set", a.set}});
+    Json settings = Json::array();
+    for (const auto& [name, value] : description.settings) settings.push_back({name, value});
     Json pictures = Json::array();
     for (const auto& p : model.pictures)
       pictures.push_back(
@@ -177,6 +207,8 @@ struct RunWriter::Files {
             {"deck", {{"file", description.deck}, {"sha256", sha256(bytes_of(description.deck))}}},
             {"inputs", inputs},
             {"arguments", arguments},
+            {"settings", settings},
+            {"working_directory", std::filesystem::current_path().string()},
             {"device", description.device},
             {"precision", description.precision},
             {"threads", description.threads},
@@ -229,9 +261,9 @@ struct RunWriter::Files {
 };
 
 RunWriter::RunWriter(const RunFolder& folder, const RunDescription& description, const Model& model,
-                     const Blocks& blocks, const ContactPoints& contacts)
-    : files_(std::make_unique<Files>(folder, description, model, blocks, contacts)) {
-  files_->write_log("run_begins",
+                     const Blocks& blocks, const ContactPoints& contacts, const RunKept& kept)
+    : files_(std::make_unique<Files>(folder, description, model, blocks, contacts, kept)) {
+  files_->write_log(kept.identity.empty() ? "run_begins" : "run_goes_on",
                     {{"deck", description.deck}, {"device", description.device}, {"threads", description.threads}});
   files_->write_manifest();
 }
@@ -276,6 +308,19 @@ void RunWriter::stage_ends(const StageResult& stage) {
   files_->write_manifest();
 }
 
+bool RunWriter::wants_checkpoint() {
+  return std::chrono::steady_clock::now() - files_->last_checkpoint >= files_->between_checkpoints;
+}
+
+void RunWriter::checkpoint(const Checkpoint& checkpoint) {
+  for (const std::string& name : files_->names()) sync_to_disk(files_->folder.file(name));
+  write_checkpoint(files_->folder.file(checkpoint.within ? within_checkpoint : stage_checkpoint),
+                   {checkpoint, files_->results.count(), files_->identity_lines});
+  if (!checkpoint.within) std::filesystem::remove(files_->folder.file(within_checkpoint));
+  files_->write_log("checkpoint", {{"stage_number", checkpoint.stage + 1}, {"within", checkpoint.within}});
+  files_->last_checkpoint = std::chrono::steady_clock::now();
+}
+
 void RunWriter::finish(const RunResult& result, const std::vector<ExpectRecord>& expects) {
   for (const auto& table : result.histories) files_->history(table).update(table);
   Json stages = Json::array(), checked = Json::array();
@@ -293,6 +338,8 @@ void RunWriter::finish(const RunResult& result, const std::vector<ExpectRecord>&
   manifest["expects"] = checked;
   files_->write_log("run_ends", {{"status", manifest["status"]}});
   files_->write_manifest();
+  if (result.interrupted) return;
+  for (const char* name : {stage_checkpoint, within_checkpoint}) std::filesystem::remove(files_->folder.file(name));
 }
 
 void RunWriter::fail(const std::string& message) {

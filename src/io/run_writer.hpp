@@ -22,9 +22,25 @@ struct RunDescription {
     bool set = false;  ///< given on the command line
   };
   std::vector<Argument> arguments;
+  std::vector<std::pair<std::string, std::string>> settings;  ///< arguments given on the command line, as typed
   std::string device;     ///< "cpu"
   std::string precision;  ///< "double"
   int threads = 0;
+  double checkpoint_minutes = 10;  ///< between two checkpoints within a stage
+};
+
+/// What has to be the same when a run goes on later, a line for each: version, precision, arguments, files.
+std::vector<std::string> identity(const RunDescription& description);
+
+/// Checkpoints in a run's folder: at the end of the last stage, and within the present one.
+inline constexpr const char* stage_checkpoint = "checkpoint.h5";
+inline constexpr const char* within_checkpoint = "checkpoint_within_stage.h5";
+
+/// What stays of a run that goes on.
+struct RunKept {
+  std::size_t outputs = 0;
+  int stages = 0;                     ///< ended
+  std::vector<std::string> identity;  ///< empty: no checkpoint was written
 };
 
 /// An `expect` of the deck after the run.
@@ -42,13 +58,14 @@ struct ExpectRecord {
 ///   history_NAME.csv         one row per record; columns with units, "displacement.x [m]"
 ///   results.*, interfaces.*  the fields (result_file.hpp)
 ///   a copy of the deck
-/// Everything but manifest.json and log.jsonl has the same bytes in every run of the same deck.
+///   checkpoint*.h5           where the run can go on from; on disk, with all results before them, when they are there
+/// Everything but manifest.json, log.jsonl and the checkpoints has the same bytes in every run of the same deck.
 /// Throws ResourceError naming the path if the disk does not take the data.
 class RunWriter : public Observer {
  public:
-  /// Model, blocks and contacts outlive the writer.
+  /// Model, blocks and contacts outlive the writer. `kept`: goes on in the folder of an earlier run.
   RunWriter(const RunFolder& folder, const RunDescription& description, const Model& model, const Blocks& blocks,
-            const ContactPoints& contacts);
+            const ContactPoints& contacts, const RunKept& kept = {});
   ~RunWriter() override;
 
   void stage_begins(int number, const std::string& name, const std::string& kind) override;
@@ -57,6 +74,8 @@ class RunWriter : public Observer {
   void output(const Snapshot& snapshot) override;
   void history_row(const HistoryTable& table) override;
   void stage_ends(const StageResult& stage) override;
+  bool wants_checkpoint() override;
+  void checkpoint(const Checkpoint& checkpoint) override;
 
   /// The end of a run that came to its end or was interrupted: missing history rows, last manifest.
   void finish(const RunResult& result, const std::vector<ExpectRecord>& expects);

@@ -1,5 +1,9 @@
 #include "io/text_file.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -25,12 +29,26 @@ std::string shortest(double value) {
 void replace_file(const std::string& path, const std::string& text) {
   const std::string temporary = path + ".part";
   GrowingFile(temporary).add(text);
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path);
+  rename_file(temporary, path);
 }
 
-GrowingFile::GrowingFile(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "wb")) {
+void rename_file(const std::string& from, const std::string& to) {
+  if (std::rename(from.c_str(), to.c_str()) != 0) fail(to);
+}
+
+void sync_to_disk(const std::string& path) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = descriptor >= 0 && fsync(descriptor) == 0;
+  if (descriptor >= 0) close(descriptor);
+  if (!synced) fail(path);
+}
+
+GrowingFile::GrowingFile(const std::string& path, bool go_on)
+    : path_(path), file_(std::fopen(path.c_str(), go_on ? "ab" : "wb")) {
   if (!file_) fail(path);
 }
+
+bool GrowingFile::claim() { return flock(fileno(file_.get()), LOCK_EX | LOCK_NB) == 0; }
 
 void GrowingFile::add(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() || std::fflush(file_.get()) != 0)

@@ -75,7 +75,13 @@ bool march_coupled(Problem& problem, int stage, const std::vector<double>& tempe
   spent.heat_device = lane.backend().name();
   spent.beside = lane.beside();
   HeatAhead heat(problem, stage, temperature, links);
-  for (int i = 0;; ++i) {
+  int i = 0;
+  const auto exchange_lanes = [&](Exchange& e) {
+    e("coupled.balances", i);
+    exchange_field(e, "heat_lane", lane.backend(), Field::temperature);
+  };
+  links.go_on(exchange_lanes);
+  for (;;) {
     if (i < last) heat.start(times[i], times[i + 1]);
     const auto began = Clock::now();
     const bool balanced = links.balance(i);
@@ -93,6 +99,8 @@ bool march_coupled(Problem& problem, int stage, const std::vector<double>& tempe
       return false;
     }
     links.take_over();
+    ++i;
+    links.keep(exchange_lanes);
   }
 }
 

@@ -2,6 +2,7 @@
 #include <functional>
 #include <vector>
 
+#include "solve/checkpoint.hpp"
 #include "solve/problem.hpp"
 #include "solve/result.hpp"
 
@@ -20,6 +21,10 @@ struct CoupledLinks {
   std::function<bool(int number)> balance;
   /// Asked now and then; true stops the stage.
   std::function<bool()> interrupted;
+  /// Whenever the temperature has been taken over; calls back with what to write down if it is wanted.
+  std::function<void(const std::function<void(Exchange&)>&)> keep;
+  /// Called once the stage is set up; calls back with what to take if it goes on from within.
+  std::function<void(const std::function<void(Exchange&)>&)> go_on;
 };
 
 /// Marches coupled stage `stage` (0-based) from a temperature, [mesh nodes] in the mesh's own order, degC. Fills in

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "solve/checkpoint.hpp"
 #include "solve/contact_states.hpp"
 #include "solve/result.hpp"
 
@@ -36,6 +37,8 @@ class CrackEvents {
 
   /// Cracked area in all and by direction, dissipated energy.
   void fill(StageResult& result);
+
+  void exchange(Exchange& e) { e("dissipated", dissipated_); }
 
   /// Share of the contact points with a strength that have cracked.
   double cracked_fraction();

@@ -101,7 +101,14 @@ class Motion {
     start(moving);
     const double interval = solve_.record_every > 0 ? solve_.record_every : solve_.duration / records_per_stage;
     int records = 0;
-    for (long n = 1; n <= steps_; ++n) {
+    long done = 0;
+    const auto exchange_all = [&](Exchange& e) {
+      e("motion.steps", done);
+      e("motion.records", records);
+      exchange(e);
+    };
+    if (links_.go_on) links_.go_on(exchange_all);
+    for (long n = done + 1; n <= steps_; ++n) {
       evaluate();
       result_.steps = n;
       const double seconds = static_cast<double>(n) * step_;
@@ -114,7 +121,15 @@ class Motion {
         const std::vector<double> velocity = present_velocity(seconds, end);
         if (!end) links_.record(records, seconds, velocity, result_.energy);
       }
-      if (!end) advance(seconds, step_, step_);
+      if (end) break;
+      advance(seconds, step_, step_);
+      if (n % look_interval != 0) continue;
+      done = n;
+      if (links_.keep) links_.keep(exchange_all);
+      if (links_.watch(n, seconds / solve_.duration)) {
+        result_.stop_reason = "interrupted";
+        return;
+      }
     }
     result_.converged = true;
     result_.stop_reason = "duration reached";
@@ -208,11 +223,19 @@ class Motion {
     if (record || runaway || !balanced_ || problem_.contacts.count() == 0) balance(m);
     if (runaway) return stop_at_fastest("runaway energy");
     if (cracks_.breakable()) note_cracks(seconds);
-    if (links_.watch(result_.steps, seconds / solve_.duration)) {
-      result_.stop_reason = "interrupted";
-      return false;
-    }
     return true;
+  }
+
+  void exchange(Exchange& e) {
+    e("motion.state", state_);
+    for (double* number : {&start_energy_, &first_sum_, &first_strain_, &peak_, &largest_error_})
+      e("motion.number", *number);
+    e("motion.balanced", balanced_);
+    for (const auto& [field, name] : {std::pair{Field::displacement_before, "displacement_before"},
+                                      std::pair{Field::spring_dissipation, "spring_dissipation"},
+                                      std::pair{Field::load_work, "load_work"},
+                                      std::pair{Field::damping_work, "damping_work"}})
+      exchange_field(e, name, backend_, field);
   }
 
   bool stop_at_fastest(const char* what) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "solve/checkpoint.hpp"
 #include "solve/problem.hpp"
 #include "solve/result.hpp"
 
@@ -28,6 +29,10 @@ MotionSteps motion_steps(const Problem& problem, const Stage& stage);
 /// What a motion tells while it goes on. Returns true where it shall stop.
 struct DynamicLinks {
   std::function<bool(long step, double fraction)> watch;  ///< every few steps
+  /// Every few steps, before `watch`; calls back with what to write down if it is wanted.
+  std::function<void(const std::function<void(Exchange&)>&)> keep;
+  /// Called once the stage is set up; calls back with what to take if it goes on from within.
+  std::function<void(const std::function<void(Exchange&)>&)> go_on;
   /// At the interval of DynamicSolve::record_every: number of the record from 1, s since the stage began, velocity
   /// [3 * block nodes, the machine's numbering] m/s at this moment, energies so far.
   std::function<void(int record, double seconds, const std::vector<double>& velocity, const EnergyBalance& energy)>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ashlar {
 
@@ -125,18 +126,24 @@ bool Fracture::relax() {
 }
 
 bool Fracture::settle(double load_factor) {
-  const std::size_t events_before = events_.size();
-  // Bodies that an earlier stage left floating stay where they are.
-  if (steps_ == 0 && cracks_.can_separate() && !hold_free_bodies()) return false;
-  if (!relax()) return false;
+  if (!std::exchange(resumed_, false)) {
+    place_.factor = load_factor;
+    place_.events_before = events_.size();
+    // Bodies that an earlier stage left floating stay where they are.
+    if (steps_ == 0 && cracks_.can_separate() && !hold_free_bodies()) return false;
+    if (!relax()) return false;
+  }
+  place_.settling = true;
   while (cracks_.largest_utilisation() >= 1) {
+    offer_checkpoint();
     if (static_cast<long>(events_.size()) >= max_events_) return stop("event limit");
     move_on();
     events_.push_back(cracks_.break_worst_group(load_factor));
     if (links_.cracked) links_.cracked(events_.back(), cracks_.cracked_fraction());
     if (!relax()) return false;
   }
-  keep(load_factor, events_.size() == events_before);
+  place_.settling = false;
+  keep(load_factor, events_.size() == place_.events_before);
   stop_reason_ = "converged";
   return true;
 }
@@ -192,11 +199,18 @@ std::optional<double> Fracture::reach_first_crack(State high, double used) {
 }
 
 bool Fracture::advance(int increments) {
-  links_.set_load_factor(0);
-  if (!settle(0)) return false;
-  for (int i = 1; i <= increments; ++i) {
+  if (!resumed_) {
+    place_.increment = 0;
+    links_.set_load_factor(0);
+  }
+  if (place_.increment == 0 || place_.settling)
+    if (!settle(place_.increment == 0 ? 0 : place_.factor)) return false;
+  resumed_ = false;
+  for (int i = std::max(1, place_.increment); i <= increments; ++i) {
+    place_.increment = i;
     const double target = static_cast<double>(i) / increments;
     while (kept_.factor < target) {
+      offer_checkpoint();
       if (!reach(target)) return false;
       const double used = cracks_.largest_utilisation();
       if (used < 1) {
@@ -209,6 +223,29 @@ bool Fracture::advance(int increments) {
     if (links_.increment_reached) links_.increment_reached(target);
   }
   return true;
+}
+
+void Fracture::offer_checkpoint() {
+  if (links_.keep) links_.keep([this](Exchange& e) { exchange(e); });
+}
+
+void Fracture::exchange(Exchange& e) {
+  e("place.increment", place_.increment);
+  e("place.settling", place_.settling);
+  e("place.factor", place_.factor);
+  e("place.events_before", place_.events_before);
+  e("kept.factor", kept_.factor);
+  e("kept.displacement", kept_.displacement);
+  e("kept.slip", kept_.slip);
+  e("rate", rate_);
+  e("events", events_);
+  e("free_blocks", free_blocks_);
+  e("last.converged", last_.converged);
+  e("last.ratio", last_.ratio);
+  e("search_steps", steps_);
+  e("stop_reason", stop_reason_);
+  cracks_.exchange(e);
+  resumed_ = e.taking();
 }
 
 void Fracture::fill(StageResult& result) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "solve/checkpoint.hpp"
 #include "solve/crack_events.hpp"
 #include "solve/relaxation.hpp"
 #include "solve/support.hpp"
@@ -24,6 +25,8 @@ struct FractureLinks {
   std::function<void(const CrackEvent&, double cracked_fraction)> cracked;
   /// Called at the end of every increment of the load factor, at equilibrium.
   std::function<void(double load_factor)> increment_reached;
+  /// Offered wherever the stage could go on from; calls back with what to write down if it is wanted.
+  std::function<void(const std::function<void(Exchange&)>&)> keep;
 };
 
 class Fracture {
@@ -43,6 +46,11 @@ class Fracture {
   /// dissipated energy.
   void fill(StageResult& result);
 
+  /// What to go on from. After it was taken settle() and advance() do what was left of them.
+  void exchange(Exchange& e);
+  /// Whether the stage had begun to advance where it goes on.
+  bool advancing() const { return place_.increment >= 0; }
+
   const std::string& stop_reason() const { return stop_reason_; }
   double load_factor() const { return kept_.factor; }
   double cracked_fraction() { return cracks_.cracked_fraction(); }
@@ -52,6 +60,13 @@ class Fracture {
   struct State {
     double factor = 0;
     std::vector<double> displacement, slip;
+  };
+  /// Where the search stands when it offers a checkpoint.
+  struct Place {
+    int increment = -1;  ///< 0: before the first, -1: advance() has not been asked for
+    bool settling = false;
+    double factor = 0;               ///< while settling
+    std::size_t events_before = 0;  ///< while settling: events when it began
   };
   State present(double factor);
   void restore(const State& state);
@@ -64,6 +79,7 @@ class Fracture {
   std::optional<double> reach_first_crack(State high, double used);
   bool stop(const std::string& reason);
   void keep(double factor, bool smooth);
+  void offer_checkpoint();
 
   const Problem& problem_;
   FractureLinks links_;
@@ -72,6 +88,8 @@ class Fracture {
   CrackEvents cracks_;
   bool plastic_;              ///< some law remembers
   double size_;               ///< m, of the whole body
+  Place place_;
+  bool resumed_ = false;      ///< the present place was taken from a checkpoint
   State kept_;                ///< the last equilibrium without over-strength
   std::vector<double> rate_;  ///< displacement per load factor over the last advance; empty at first
   std::vector<CrackEvent> events_;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "solve/checkpoint.hpp"
 #include "solve/result.hpp"
 
 /// How a running solver tells the world: progress, events and fields. Implemented by io/ (files) and main (terminal).
@@ -50,6 +51,8 @@ class Observer {
   virtual void output(const Snapshot&) {}
   virtual void history_row(const HistoryTable&) {}       ///< the table's last row is new
   virtual void stage_ends(const StageResult&) {}
+  virtual bool wants_checkpoint() { return false; }       ///< asked at places within stages that a run can go on from
+  virtual void checkpoint(const Checkpoint&) {}           ///< after every stage, and where one was wanted
   virtual bool interrupted() { return false; }            ///< asked between steps; true: stop with reason "interrupted"
 };
 

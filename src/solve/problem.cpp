@@ -31,14 +31,14 @@ Problem::Problem(const Model& m, const RunOptions& options)
       discretisation(
           discretise(m.mesh, blocks, material_indices(m), patch_slots(static_cast<int>(m.mesh.corners.size()), options.precision))),
       initial(initial_state(m, blocks, setup())),
-      backend(make_backend(setup(), options.precision, options.device, threads_of_lane(options))) {
+      backend(make_backend(setup(), options.precision, options.device, threads_of_lane(options), options.memory)) {
   if (!initial.history.empty()) backend->write(Field::history, initial.history);
   for (const Stage& stage : m.stages)
     if (std::holds_alternative<CoupledSolve>(stage.solve) && !heat_lane)
       heat_lane = std::make_unique<Lane>(
           [&] {
             return make_backend(heat_setup(), options.precision, options.heat_device.value_or(options.device),
-                                threads_of_lane(options));
+                                threads_of_lane(options), options.memory);
           },
           options.heat_device.has_value());
 }
@@ -51,6 +51,8 @@ Setup Problem::setup() const {
     setup.conductivity.push_back(m.conductivity.value_or(0));
   }
   setup.reference_temperature = model.reference_temperature;
+  for (const Stage& stage : model.stages)
+    setup.motion = setup.motion || std::holds_alternative<DynamicSolve>(stage.solve);
   for (const Interface& i : model.interfaces) {
     const std::string what = std::string(i.crackable ? "crackable" : "joint") + " '" + i.name + "'";
     setup.interface_laws.push_back(interface_constants(i.law, i.values, i.where, what).law);

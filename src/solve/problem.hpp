@@ -19,6 +19,7 @@ struct RunOptions {
   int threads = 0;  ///< of the CPU; 0: all cores
   DeviceChoice device{DeviceChoice::cpu};      ///< of the stress lane and all that is not coupled
   std::optional<DeviceChoice> heat_device{};  ///< of a heat lane beside it; none: in turns on `device`
+  std::size_t memory = 0;  ///< bytes that the machine's arrays may take; 0: what is free
 };
 
 struct Problem {

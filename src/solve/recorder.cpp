@@ -116,6 +116,15 @@ std::vector<double> Recorder::displacement() const {
   return problem_.to_blocks(problem_.backend->read(Field::displacement), 3);
 }
 
+void Recorder::exchange(Exchange& e) {
+  e("recorder.reference_displacement", reference_displacement_);
+  e("recorder.surface_load", surface_load_);
+  e("recorder.temperature", temperature_);
+  e("recorder.velocity", velocity_);
+  e("recorder.energy", energy_);
+  for (HistoryTable& table : tables_) e("history", table.rows);
+}
+
 void Recorder::reset_displacement() { reference_displacement_ = displacement(); }
 
 /// Mean over the copies of a node, or interpolated in an element. `field` [components * block nodes], Blocks order.

@@ -34,6 +34,7 @@ class Recorder {
     velocity_ = std::move(velocity);
     energy_ = energy;
   }
+  void exchange(Exchange& e);
   /// Displacement counts from the present state from now on (numerics 7).
   void reset_displacement();
 

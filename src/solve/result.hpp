@@ -59,7 +59,8 @@ struct StageResult {
   double ratio = 0;               ///< unbalanced force ratio or relative residual at the end
   double load_factor = 1;         ///< reached by a fracture stage; coupled stages: share of the duration
   double wall_seconds = 0;
-  std::vector<PhaseTime> phases;
+  std::vector<PhaseTime> activities;   ///< set-up, steps, output, ...: all of the wall time, on every machine
+  std::vector<PhaseTime> phases;       ///< empty where a machine runs ahead: then only activities can be timed
   std::vector<CrackEvent> events;
   double cracked_area = 0;                             ///< m^2, all broken contact points at the stage's end
   std::map<std::string, double> cracked_area_by_direction;  ///< "horizontal" (normal within 30 deg of z), "vertical" (normal within 30 deg of the horizontal plane), "inclined"

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "solve/activity.hpp"
 #include "solve/block_state.hpp"
 #include "solve/coupled.hpp"
 #include "solve/dynamic.hpp"
@@ -56,9 +57,11 @@ double relaxation_fraction(double start, double ratio, double goal) {
 
 class Run {
  public:
-  Run(Problem& problem, Observer& observer)
+  Run(Problem& problem, Observer& observer, const Restart& restart)
       : problem_(problem),
         observer_(observer),
+        restart_(restart),
+        clock_(*problem.backend),
         recorder_(problem, observer),
         warm_(has_temperature(problem.model)),
         temperature_(problem.model.mesh.points.size(), problem.model.reference_temperature),
@@ -72,11 +75,23 @@ class Run {
   RunResult run() {
     for (const Stage& s : problem_.model.stages)
       if (is_dynamic(s)) motion_steps(problem_, s);  // refused before anything is solved
-    if (warm_) recorder_.temperature(temperature_);
-    if (!problem_.model.stages.empty()) recorder_.history_rows({0, 0, 0, false});
-    for (stage_ = 0; stage_ < static_cast<int>(problem_.model.stages.size()); ++stage_) {
+    if (restart_.stage_start) {
+      stage_ = restart_.stage_start->stage;
+      Exchange e(*restart_.stage_start);
+      exchange(e);
+    } else {
+      if (warm_) recorder_.temperature(temperature_);
+      if (!problem_.model.stages.empty()) recorder_.history_rows({0, 0, 0, false});
+    }
+    while (stage_ < static_cast<int>(problem_.model.stages.size())) {
       run_stage();
       if (!result_.stages.back().converged) break;
+      ++stage_;
+      const During checkpoints(clock_, Activity::checkpoints);
+      Checkpoint checkpoint{stage_, false, {}, {}};
+      Exchange e(checkpoint);
+      exchange(e);
+      observer_.checkpoint(checkpoint);
     }
     result_.histories = recorder_.take_histories();
     return std::move(result_);
@@ -85,8 +100,64 @@ class Run {
  private:
   const Stage& stage() const { return problem_.model.stages[stage_]; }
 
+  // ------------------------------------------------------------------ checkpoints
+
+  /// All that later stages depend on.
+  void exchange(Exchange& e) {
+    e("run.stages", result_.stages);
+    e("run.temperature", temperature_);
+    e("run.body_temperature", body_temperature_);
+    e("run.surface_load", surface_load_);
+    e("run.shift", shift_);
+    e("run.temperatures_at_end", temperatures_at_end_);
+    e("run.plastic_work", block_work_.plastic);
+    e("run.fracture_work", block_work_.fracture);
+    e("run.balance_told", balance_told_);
+    e("run.warming_used", warming_used_);
+    recorder_.exchange(e);
+    for (const auto& [field, name] :
+         {std::pair{Field::displacement, "displacement"}, std::pair{Field::velocity, "velocity"},
+          std::pair{Field::load, "load"}, std::pair{Field::force, "force"}, std::pair{Field::fixed, "fixed"},
+          std::pair{Field::warming, "warming"}, std::pair{Field::history, "history"}, std::pair{Field::slip, "slip"},
+          std::pair{Field::contact_state, "contact_state"}, std::pair{Field::temperature, "temperature"}})
+      exchange_field(e, name, *problem_.backend, field);
+    if (e.taking()) problem_.backend->use_warming(warming_used_);
+  }
+
+  using Own = std::function<void(Exchange&)>;  ///< what one kind of stage writes down beside the run
+  void exchange_within(Exchange& e, const Own& own) {
+    exchange(e);
+    e("stage.result", outcome_);
+    double seconds = std::chrono::duration<double>(Clock::now() - stage_start_).count();
+    e("stage.wall_seconds", seconds);
+    if (e.taking())
+      stage_start_ = Clock::now() - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    e("stage.out_of_balance", out_of_balance_);
+    e("stage.increment", increment_);
+    e("stage.records", records_);
+    e("stage.cracked_fraction", cracked_fraction_);
+    own(e);
+  }
+  /// Where the present stage could go on from.
+  void offer_checkpoint(const Own& own) {
+    if (!observer_.wants_checkpoint()) return;
+    const During checkpoints(clock_, Activity::checkpoints);
+    Checkpoint checkpoint{stage_, true, {}, {}};
+    Exchange e(checkpoint);
+    exchange_within(e, own);
+    observer_.checkpoint(checkpoint);
+  }
+  /// Takes the present stage, which has been set up, to where it stopped within, if it did.
+  void go_on(const Own& own) {
+    if (!restart_.within || restart_.within->stage != stage_) return;
+    Exchange e(*restart_.within);
+    exchange_within(e, own);
+  }
+
   void run_stage() {
-    const auto start = Clock::now();
+    stage_start_ = Clock::now();
+    clock_.enter(Activity::set_up);
+    const ActivityClock::Seconds activities_before = clock_.seconds();
     const std::vector<double> seconds_before = phase_seconds();
     outcome_ = {};
     out_of_balance_ = now_ = 0;
@@ -104,9 +175,13 @@ class Run {
 
     record({stage_, stage_ + 1.0, outcome_.load_factor, true, outcome_.seconds, 0});
     if (after_record_) std::exchange(after_record_, nullptr)();
-    outcome_.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    outcome_.wall_seconds = std::chrono::duration<double>(Clock::now() - stage_start_).count();
     const std::vector<double> seconds_after = phase_seconds();
-    for (int p = 0; p < static_cast<int>(Phase::count); ++p)
+    clock_.enter(Activity::set_up);
+    for (int a = 0; a < static_cast<int>(Activity::count); ++a)
+      if (const double seconds = clock_.seconds()[a] - activities_before[a]; seconds > 0)
+        outcome_.activities.push_back({activity_name(static_cast<Activity>(a)), seconds});
+    for (int p = 0; p < static_cast<int>(Phase::count) && !problem_.backend->runs_ahead(); ++p)
       if (seconds_after[p] > seconds_before[p])
         outcome_.phases.push_back({phase_name(static_cast<Phase>(p)), seconds_after[p] - seconds_before[p]});
     observer_.stage_ends(outcome_);
@@ -123,6 +198,7 @@ class Run {
   }
 
   void record(const Moment& moment) {
+    const During output(clock_, Activity::output);
     if (warm_) recorder_.temperature(temperature_);
     recorder_.history_rows(moment);
     if (moment.stage_end || wants_output(moment)) recorder_.snapshot(moment);
@@ -143,7 +219,7 @@ class Run {
     body_temperature_ = temperature;
     write_temperature(problem_, *problem_.backend, temperature);
     problem_.backend->run(Phase::gauss_temperature);
-    problem_.backend->use_warming(true);
+    problem_.backend->use_warming(warming_used_ = true);
   }
 
   /// Temperature of the body in time for the stage, and what fracture stages have put on top.
@@ -186,6 +262,7 @@ class Run {
     FractureLinks links;
     auto search = std::make_shared<ElasticStart>(problem_, *problem_.backend);
     links.relax = [this, &relaxation, search](const RelaxationWatch& watch) {
+      const During set_up(clock_, Activity::set_up);
       set_virtual_mass(problem_, *problem_.backend, relaxation);
       double start = 0;
       const RelaxationWatch look = [&](long step, double ratio) {
@@ -196,7 +273,9 @@ class Run {
         return observer_.interrupted() || stop_wanted;
       };
       const double scale = force_scale();
+      clock_.enter(Activity::search);
       const long iterations = relaxation.search && search->applies() ? search->run(relaxation, scale, look) : 0;
+      clock_.enter(Activity::steps);
       Equilibrium e = relax(*problem_.backend, relaxation, scale, look);
       e.steps += iterations;
       result_.interrupted = result_.interrupted || (e.interrupted && observer_.interrupted());
@@ -255,6 +334,7 @@ class Run {
     const Start start = present();
     warm_body();
     FractureLinks links = set_up(how.relaxation);
+    links.keep = [this](const Own& own) { offer_checkpoint(own); };
     links.increment_reached = [this](double factor) {
       ++increment_;
       if (factor < 1) record({stage_, stage_ + factor, factor, false});
@@ -268,6 +348,8 @@ class Run {
     thermal_load_ = warm_ ? thermal_load_norm(*problem_.backend) : 0;
     if (increments > 0) go_from(start, links);
     Fracture fracture(problem_, links, max_static_events);
+    if (links.keep) go_on([&](Exchange& e) { fracture.exchange(e); });
+    const During events(clock_, Activity::events);
     if (increments > 0)
       fracture.advance(increments);
     else
@@ -330,8 +412,11 @@ class Run {
       ++increment_;
       if (factor < 1) record({stage_, stage_ + factor, factor, false});
     };
+    links.keep = [this](const Own& own) { offer_checkpoint(own); };
     Fracture fracture(problem_, links, how.max_events);
-    outcome_.converged = fracture.settle(0) && fracture.advance(how.increments);
+    go_on([&](Exchange& e) { fracture.exchange(e); });
+    clock_.enter(Activity::events);
+    outcome_.converged = (fracture.advancing() || fracture.settle(0)) && fracture.advance(how.increments);
     fracture.fill(outcome_);
     for (std::size_t n = 0; n < shift_.size(); ++n) shift_[n] = body_temperature_[n] - temperature_[n];
   }
@@ -360,6 +445,10 @@ class Run {
     const Body start = body();
     Body standing = start;
     long steps = 0;
+    const auto own = [&](Exchange& e) {
+      e("trials.steps", steps);
+      for (auto& [field, values] : standing) e("trials.standing", values);
+    };
     const auto stands = [&](double factor) {
       restore(start);
       problem_.backend->weaken(factor);
@@ -369,20 +458,25 @@ class Run {
       fracture.fill(trial);
       steps += trial.steps;
       outcome_.ratio = trial.ratio;
+      if (result_.interrupted) return false;
       if (found) standing = body();
       (found ? outcome_.safety_factor : outcome_.falling_factor) = factor;
+      offer_checkpoint(own);
       return found;
     };
-    if (!stands(how.low)) {
+    go_on(own);
+    clock_.enter(Activity::events);
+    if (outcome_.safety_factor == 0 && !stands(how.low)) {
       outcome_.stop_reason = "falls at the lowest factor";
-    } else if (stands(how.high)) {
+    } else if (outcome_.falling_factor == 0 && stands(how.high)) {
       outcome_.stop_reason = "stands at the highest factor";
     } else {
       while (outcome_.falling_factor - outcome_.safety_factor > how.width && !result_.interrupted)
         stands((outcome_.safety_factor + outcome_.falling_factor) / 2);
       outcome_.converged = !result_.interrupted;
-      outcome_.stop_reason = result_.interrupted ? "interrupted" : "converged";
+      outcome_.stop_reason = "converged";
     }
+    if (result_.interrupted) outcome_.stop_reason = "interrupted";
     outcome_.steps = steps;
     problem_.backend->weaken(outcome_.safety_factor > 0 ? outcome_.safety_factor : 1);
     restore(standing);
@@ -416,6 +510,11 @@ class Run {
       record({stage_, stage_ + seconds / how.duration, 1, false, seconds, number});
     };
     links.cracked = [this](const CrackEvent& event) { observer_.crack(stage().name, event); };
+    links.keep = [this](const Own& own) { offer_checkpoint(own); };
+    links.go_on = [this](const Own& own) {
+      go_on(own);
+      clock_.enter(Activity::steps);
+    };
     const bool moving = stage_ > 0 && is_dynamic(problem_.model.stages[stage_ - 1]);
     move_in_time(problem_, stage(), moving, links, outcome_);
     result_.interrupted = result_.interrupted || outcome_.stop_reason == "interrupted";
@@ -438,16 +537,25 @@ class Run {
     increment_ = records_ = 0;
     increments_ = how.steady ? 0 : 100;
     write_temperature(problem_, *problem_.backend, temperature_);
-    const ThermalResult r = solve_thermal(problem_, stage_, [&](const ThermalProgress& progress) {
+    long done = 0;
+    const auto own = [&](Exchange& e) { e("march.steps", done); };
+    const auto watch = [&](const ThermalProgress& progress) {
       relaxed_ = progress.fraction;
       if (!how.steady) {
         increment_ = static_cast<int>(100 * progress.fraction);
         relaxed_ = 0;
         outcome_.seconds = progress.time;
         record_transient(how, progress);
+        done = progress.step;
+        if (progress.fraction < 1) offer_checkpoint(own);
       }
       tell(progress.step, progress.ratio, how.steady ? how.tolerance : 0);
       return observer_.interrupted();
+    };
+    const ThermalResult r = solve_thermal(problem_, stage_, watch, [&] {
+      if (!how.steady) go_on(own);
+      clock_.enter(how.steady ? Activity::search : Activity::steps);
+      return done;
     });
     temperature_ = read_temperature(problem_);
     result_.interrupted = result_.interrupted || r.interrupted;
@@ -467,7 +575,7 @@ class Run {
     if (std::any_of(shift_.begin(), shift_.end(), [](double s) { return s != 0; })) return warm_body();
     body_temperature_ = temperature_;
     backend.run(Phase::gauss_temperature);
-    backend.use_warming(true);
+    backend.use_warming(warming_used_ = true);
   }
 
   /// Adds what one balance of a coupled stage found; load factors of it are shares of the way between two times.
@@ -528,6 +636,16 @@ class Run {
       return part.converged;
     };
     links.interrupted = [this] { return observer_.interrupted(); };
+    const auto with_start = [&](const Own& lanes) {
+      return [&](Exchange& e) {
+        for (auto* values : {&start.load, &start.surface_load, &start.force, &start.displacement, &start.temperature})
+          e("coupled.start", *values);
+        lanes(e);
+      };
+    };
+    links.keep = [&](const Own& lanes) { offer_checkpoint(with_start(lanes)); };
+    links.go_on = [&](const Own& lanes) { go_on(with_start(lanes)); };
+    clock_.enter(Activity::steps);  // what the lanes wait for each other is part of them
     outcome_.converged = march_coupled(problem_, stage_, temperature_, links, outcome_);
     result_.interrupted = result_.interrupted || outcome_.stop_reason == "interrupted";
   }
@@ -536,6 +654,8 @@ class Run {
 
   Problem& problem_;
   Observer& observer_;
+  const Restart& restart_;
+  ActivityClock clock_;
   Recorder recorder_;
   bool warm_;
   RunResult result_;
@@ -555,12 +675,15 @@ class Run {
   int increment_ = 0, increments_ = 0;
   int records_ = 0;  ///< rows of a transient thermal stage
   bool balance_told_ = false;
+  bool warming_used_ = false;
   double relaxed_ = 0, cracked_fraction_ = 0;
-  Clock::time_point told_{};
+  Clock::time_point told_{}, stage_start_{};
 };
 
 }  // namespace
 
-RunResult solve(Problem& problem, Observer& observer) { return Run(problem, observer).run(); }
+RunResult solve(Problem& problem, Observer& observer, const Restart& restart) {
+  return Run(problem, observer, restart).run();
+}
 
 }  // namespace ashlar

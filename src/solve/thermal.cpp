@@ -196,9 +196,10 @@ ThermalSteps HeatMarch::steps(double from, double to) const {
   return {count, (to - from) / static_cast<double>(count)};
 }
 
-ThermalResult HeatMarch::march(double from, double to, const ThermalWatch& watch) {
+ThermalResult HeatMarch::march(double from, double to, const ThermalWatch& watch, long done) {
   const ThermalSteps steps = this->steps(from, to);
   ThermalResult result;
+  result.steps = done;
   Controls controls;
   controls.time_step = result.time_step = steps.length;
   while (result.steps < steps.count) {
@@ -287,10 +288,14 @@ ThermalSteps thermal_steps(Problem& problem, int stage) {
   return {};
 }
 
-ThermalResult solve_thermal(Problem& problem, int stage, const ThermalWatch& watch) {
+ThermalResult solve_thermal(Problem& problem, int stage, const ThermalWatch& watch, const ThermalResume& resume) {
   const auto& solve = std::get<ThermalSolve>(problem.model.stages[stage].solve);
-  if (!solve.steady) return HeatMarch(problem, *problem.backend, stage).march(0, solve.duration, watch);
+  if (!solve.steady) {
+    HeatMarch heat(problem, *problem.backend, stage);
+    return heat.march(0, solve.duration, watch, resume ? resume() : 0);
+  }
   set_up_steady(problem, stage);
+  if (resume) resume();
   return solve_steady(problem, solve, watch);
 }
 

@@ -27,6 +27,9 @@ struct ThermalProgress {
 };
 /// Called after every step; true stops the stage.
 using ThermalWatch = std::function<bool(const ThermalProgress&)>;
+/// Called once the stage is set up; of a transient it may put back a state within it and returns the steps that that
+/// has done.
+using ThermalResume = std::function<long()>;
 
 /// Temperatures that the deck gives when stage `stage` (0-based) begins: initial_temperature in the first stage where
 /// it acts, on the nodes of its regions (all, if it names none), and temperature_field on all nodes, whenever it acts.
@@ -50,9 +53,9 @@ class HeatMarch {
   /// conductivity or heat capacity.
   HeatMarch(const Problem& problem, Backend& backend, int stage);
   ~HeatMarch();
-  /// Times are s since the stage began.
+  /// Times are s since the stage began. @param done steps on the way that have been made
   ThermalSteps steps(double from, double to) const;
-  ThermalResult march(double from, double to, const ThermalWatch& watch = {});
+  ThermalResult march(double from, double to, const ThermalWatch& watch = {}, long done = 0);
 
  private:
   struct BoundaryInTime;
@@ -67,6 +70,7 @@ ThermalSteps thermal_steps(Problem& problem, int stage);
 
 /// Solves thermal stage `stage` (0-based) from the temperature in the backend. Throws DeckError: a material without
 /// conductivity or heat capacity, a steady stage that nothing ties to a temperature.
-ThermalResult solve_thermal(Problem& problem, int stage, const ThermalWatch& watch = {});
+ThermalResult solve_thermal(Problem& problem, int stage, const ThermalWatch& watch = {},
+                            const ThermalResume& resume = {});
 
 }  // namespace ashlar

@@ -115,7 +115,7 @@ struct SampleRun {
 
   RunDescription description() {
     std::ofstream(deck) << "model \"sample\" {}\n";
-    return {"0.1.0", "g++", deck, {deck}, {{"water", "150 m", "m", true}}, "cpu", "double", 2};
+    return {"0.1.0", "g++", deck, {deck}, {{"water", "150 m", "m", true}}, {}, "cpu", "double", 2};
   }
 
   void run(const std::string& history_name = "crest") {
