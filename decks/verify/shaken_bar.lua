@@ -2,8 +2,11 @@
 -- its weight along itself, or its foot moved; displacement of the tip.
 -- Source: closed form, sum over the bar's modes.
 -- Accept: 1 % of the largest displacement; energy to 1e-9 of its peak.
--- Runs: load=traction | load=table | load=weight | load=foot
-local args = deck.args { load = { default = "traction", doc = "traction, table, weight or foot" } }
+-- Runs: load=traction | load=table | load=place | load=weight | load=foot | load=foot place=true
+local args = deck.args {
+  load  = { default = "traction", doc = "traction, table, place, weight or foot" },
+  place = { default = false, doc = "the foot's movement as a function of place and time" },
+}
 
 local length, young, density, omega = 10, 30e9, 2400, 2 * math.pi * 60
 local wave = math.sqrt(young / density)
@@ -20,7 +23,8 @@ fix { surface = "front", y = 0 }
 fix { surface = "bottom", z = 0 }
 local function swing(t) return math.sin(omega * t) end
 if args.load == "foot" then
-  displacement { surface = "foot", x = in_time(function(t) return way * (1 - math.cos(omega * t)) end) }
+  local function move(t) return way * (1 - math.cos(omega * t)) end
+  displacement { surface = "foot", x = args.place and function(x, y, z, t) return move(t) end or in_time(move) }
 else
   fix { surface = "foot", x = 0 }
 end
@@ -30,6 +34,8 @@ elseif args.load == "table" then
   local rows = {}
   for i = 0, 500 do rows[i + 1] = { i * 1e-4, stress * swing(i * 1e-4) } end
   traction { surface = "tip", x = rows }
+elseif args.load == "place" then
+  traction { surface = "tip", x = function(x, y, z, t) return stress * swing(t) end }
 elseif args.load == "weight" then
   gravity { x = in_time(function(t) return weight * swing(t) end) }
 end

@@ -78,6 +78,7 @@ enum class Field : std::uint8_t {
   inverse_capacity,     ///< [mesh nodes] K/J
   held,                 ///< [mesh nodes] 1: temperature is given
   given_velocity,       ///< [3 * block nodes] m/s of held components in motions; empty: at rest
+  film,                 ///< [entries of the films' matrix] W/K
   given_temperature,    ///< [mesh nodes] degC that held nodes take with the next step; empty: they keep theirs
   heat_flow,            ///< [mesh nodes] W leaving each node by conduction and film
   heat_bound,           ///< [2 * mesh nodes] W/K, diagonal and absolute row sum of conduction and film
@@ -197,7 +198,7 @@ class Backend {
   virtual std::vector<double> balance_resultants() = 0;
   /// Adds rigid movements [6 * aggregates], m and rad, to the preconditioned residual.
   virtual void add_movements(const std::vector<double>& movement) = 0;
-  /// Parts of a field that is linear in a few numbers: load, heat, given_velocity or given_temperature is the first
+  /// Parts of a field that is linear in a few numbers: load, heat, film, given_velocity or given_temperature is the first
   /// part plus factors times the others. No parts: forgotten, with what was given.
   virtual void write_parts(Field field, const std::vector<std::vector<double>>& parts) = 0;
   /// Exchange with the surroundings, nodes numbered as on the machine.

@@ -61,13 +61,13 @@ class HeatLane {
     film_node_.assign(films.node);
     film_first_.assign(films.first);
     film_column_.assign(films.column);
-    film_value_.assign(std::vector<Real>(films.value.begin(), films.value.end()));
+    film_value.assign(std::vector<Real>(films.value.begin(), films.value.end()));
     film_flow_.resize(films.node.empty() ? 0 : view_.nodes.node_count);
     view_.film_node_count = static_cast<int>(films.node.size());
     view_.film_node = film_node_.data();
     view_.film_first = film_first_.data();
     view_.film_column = film_column_.data();
-    view_.film_value = film_value_.data();
+    view_.film_value = film_value.data();
     view_.film_flow = films.node.empty() ? nullptr : film_flow_.data();
   }
 
@@ -168,14 +168,14 @@ class HeatLane {
   std::vector<double> conductivity_;
   Real reference_;
   NodeSet<Exec> nodes_;
-  Array<Real> x_, residual_, direction_, corner_, partial_, film_value_, film_flow_, time_step_;
+  Array<Real> x_, residual_, direction_, corner_, partial_, film_flow_, time_step_;
   Real last_time_step_ = 0;
   Array<int> film_node_, film_first_, film_column_;
   HeatView<Real> view_;
 
  public:
   SummedArray<Exec, Real> temperature;
-  Array<Real> heat, inverse_capacity, flow, bound, given_temperature;
+  Array<Real> heat, inverse_capacity, flow, bound, film_value, given_temperature;
   Array<std::uint8_t> held;
 };
 

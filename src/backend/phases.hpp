@@ -548,6 +548,7 @@ class Phases final : public Backend {
       case Field::inverse_capacity: return visit(self.heat_.inverse_capacity);
       case Field::held: return visit(self.heat_.held);
       case Field::given_velocity: return visit(self.motion_.given_velocity);
+      case Field::film: return visit(self.heat_.film_value);
       case Field::given_temperature: return visit(self.heat_.given_temperature);
       case Field::heat_flow: return visit(self.heat_.flow);
       case Field::heat_bound: return visit(self.heat_.bound);

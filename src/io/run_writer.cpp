@@ -81,6 +81,7 @@ Json described(const Model& model, const Blocks& blocks, const ContactPoints& co
       json["in_time"].push_back({{"noun", condition.noun},
                                  {"name", condition.name},
                                  {"key", number.key},
+                                 {"of_place", static_cast<bool>(number.field)},
                                  {"time", number.table.time},
                                  {"value", number.table.value}});
   return json;

@@ -48,7 +48,6 @@ class ModelCheck {
     idle_conditions();
     functions();
     block_lengths();
-    levels_in_motion();
     supports();
     complaints_.raise();
   }
@@ -295,41 +294,31 @@ class ModelCheck {
     return gives_heat(c) ? is_thermal(stage) : is_mechanical(stage);
   }
 
-  /// A moving water table changes which faces are wet: no load that scales with a number.
-  void levels_in_motion() {
-    const std::vector<StageTimes> times = stage_times(model_);
-    for (std::size_t s = 0; s < model_.stages.size(); ++s) {
-      if (!std::holds_alternative<DynamicSolve>(model_.stages[s].solve)) continue;
-      for (const ActingCondition& a : acting_conditions(model_, static_cast<int>(s)))
-        for (const InTime& number : a.condition->in_time)
-          if (number.key.ends_with("level") && changes(number.table, times[s]))
-            complaints_.add(a.condition->where,
-                            title(a.condition->noun, a.condition->name) + ": '" + number.key +
-                                "' changes during the dynamic stage '" + model_.stages[s].name +
-                                "'; a level stays in motion: use static stages, or a pressure in time");
-    }
-  }
-
-  /// Asks every function of position once: most mistakes show at the first point.
+  /// Asks every function of position once, those of time too at the start and the end: most mistakes show at once.
   void functions() {
     for (const auto& s : model_.initial_stresses)
       for (const auto& component : s.components) collect([&] { component(model_.mesh.points[0]); });
     for (const auto& c : model_.conditions) {
-      const Surface* surface = c.surfaces.empty() ? nullptr : model_.mesh.find_surface(c.surfaces[0]);
-      const Vec3<double> point = surface ? model_.mesh.facet_centroid(surface->facets[0]) : model_.mesh.points[0];
-      const auto ask = [&](const Value& value) { collect([&] { value(point); }); };
-      if (const auto* d = std::get_if<Displacement>(&c.kind))
-        for (const auto* value : {&d->x, &d->y, &d->z})
-          if (*value) ask(**value);
-      if (const auto* t = std::get_if<Traction>(&c.kind)) ask(t->x), ask(t->y), ask(t->z);
-      if (const auto* p = std::get_if<Pressure>(&c.kind)) ask(p->value);
-      if (const auto* t = std::get_if<FixedTemperature>(&c.kind)) ask(t->value);
-      if (const auto* t = std::get_if<Convection>(&c.kind)) ask(t->ambient);
-      if (const auto* f = std::get_if<Flux>(&c.kind)) ask(f->value);
-      if (const auto* h = std::get_if<HeatSource>(&c.kind)) ask(h->value);
-      if (const auto* t = std::get_if<InitialTemperature>(&c.kind)) ask(t->value);
-      if (const auto* t = std::get_if<TemperatureField>(&c.kind)) ask(t->value);
+      functions_of(c);
+      const bool moving = std::any_of(c.in_time.begin(), c.in_time.end(), [](const InTime& n) { return bool(n.field); });
+      if (moving) functions_of(with_numbers(c, [](const InTime& number) { return number.table.value.back(); }));
     }
+  }
+  void functions_of(const Condition& c) {
+    const Surface* surface = c.surfaces.empty() ? nullptr : model_.mesh.find_surface(c.surfaces[0]);
+    const Vec3<double> point = surface ? model_.mesh.facet_centroid(surface->facets[0]) : model_.mesh.points[0];
+    const auto ask = [&](const Value& value) { collect([&] { value(point); }); };
+    if (const auto* d = std::get_if<Displacement>(&c.kind))
+      for (const auto* value : {&d->x, &d->y, &d->z})
+        if (*value) ask(**value);
+    if (const auto* t = std::get_if<Traction>(&c.kind)) ask(t->x), ask(t->y), ask(t->z);
+    if (const auto* p = std::get_if<Pressure>(&c.kind)) ask(p->value);
+    if (const auto* t = std::get_if<FixedTemperature>(&c.kind)) ask(t->value);
+    if (const auto* t = std::get_if<Convection>(&c.kind)) ask(t->ambient);
+    if (const auto* f = std::get_if<Flux>(&c.kind)) ask(f->value);
+    if (const auto* h = std::get_if<HeatSource>(&c.kind)) ask(h->value);
+    if (const auto* t = std::get_if<InitialTemperature>(&c.kind)) ask(t->value);
+    if (const auto* t = std::get_if<TemperatureField>(&c.kind)) ask(t->value);
   }
 
   /// Bodies that a stage leaves free, and steady heat without a given temperature.

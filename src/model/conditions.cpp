@@ -75,15 +75,19 @@ std::vector<ActingCondition> acting_conditions(const Model& model, int stage) {
   return acting;
 }
 
-std::vector<ActingCondition> acting_conditions(const Model& model, int stage,
-                                               const std::function<double(const InTime&)>& choose) {
-  std::vector<ActingCondition> acting = acting_conditions(model, stage);
+std::vector<ActingCondition> at_moment(std::vector<ActingCondition> acting,
+                                       const std::function<double(const InTime&)>& choose) {
   for (ActingCondition& a : acting) {
     if (a.condition->in_time.empty()) continue;
     a.held = std::make_shared<const Condition>(with_numbers(*a.condition, choose));
     a.condition = a.held.get();
   }
   return acting;
+}
+
+std::vector<ActingCondition> acting_conditions(const Model& model, int stage,
+                                               const std::function<double(const InTime&)>& choose) {
+  return at_moment(acting_conditions(model, stage), choose);
 }
 
 std::vector<ActingCondition> acting_conditions(const Model& model, int stage, double time) {

@@ -25,7 +25,10 @@ struct ActingCondition {
 /// conditions given together add up. `remove` acts before `apply` of the same stage. Throws DeckError for a surface or
 /// region that does not exist.
 std::vector<ActingCondition> acting_conditions(const Model& model, int stage);
-/// The same with numbers in time as `choose` says.
+/// Conditions with their numbers in time as `choose` says.
+std::vector<ActingCondition> at_moment(std::vector<ActingCondition> acting,
+                                       const std::function<double(const InTime&)>& choose);
+/// Those of a stage, likewise.
 std::vector<ActingCondition> acting_conditions(const Model& model, int stage,
                                                const std::function<double(const InTime&)>& choose);
 /// The same at `time`, s since the start of the run.

@@ -55,6 +55,30 @@ class Sampler {
   double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 
+auto& component(const std::string& key, auto& x, auto& y, auto& z) { return key == "x" ? x : key == "y" ? y : z; }
+
+/// The value that a deck key gives; null where it is a plain number.
+Value* value_of(Condition::Kind& kind, const std::string& key) {
+  if (auto* c = std::get_if<Displacement>(&kind)) return &*component(key, c->x, c->y, c->z);
+  if (auto* c = std::get_if<Traction>(&kind)) return &component(key, c->x, c->y, c->z);
+  if (auto* c = std::get_if<Pressure>(&kind)) return &c->value;
+  if (auto* c = std::get_if<FixedTemperature>(&kind)) return &c->value;
+  if (auto* c = std::get_if<Convection>(&kind)) return key == "film" ? nullptr : &c->ambient;
+  if (auto* c = std::get_if<Flux>(&kind)) return &c->value;
+  if (auto* c = std::get_if<HeatSource>(&kind)) return &c->value;
+  if (auto* c = std::get_if<TemperatureField>(&kind)) return &c->value;
+  return nullptr;
+}
+double& number_of(Condition::Kind& kind, const std::string& key) {
+  if (auto* c = std::get_if<Gravity>(&kind))
+    return component(key, c->acceleration.x, c->acceleration.y, c->acceleration.z);
+  if (auto* c = std::get_if<WaterPressure>(&kind)) return c->level;
+  if (auto* c = std::get_if<Uplift>(&kind)) return key == "upstream_level" ? c->upstream_level : c->downstream_level;
+  if (auto* c = std::get_if<PointLoad>(&kind)) return component(key, c->force.x, c->force.y, c->force.z);
+  if (auto* c = std::get_if<Convection>(&kind)) return c->film;
+  throw std::logic_error("'" + key + "' cannot change in time");
+}
+
 }  // namespace
 
 double TimeTable::at(double t) const {
@@ -91,6 +115,13 @@ bool changes(const TimeTable& table, const StageTimes& stage) {
   return false;
 }
 
+double largest(const TimeTable& table, const StageTimes& stage) {
+  double most = std::max(table.at(stage.begin), table.at(stage.end));
+  for (std::size_t i = 0; i < table.time.size(); ++i)
+    if (table.time[i] > stage.begin && table.time[i] < stage.end) most = std::max(most, table.value[i]);
+  return most;
+}
+
 double shortest_period(const TimeTable& table, const StageTimes& stage) {
   double shortest = std::numeric_limits<double>::infinity(), last_turn = -shortest;
   double direction = 0;
@@ -107,26 +138,17 @@ double shortest_period(const TimeTable& table, const StageTimes& stage) {
   return shortest;
 }
 
-double& number_of(Condition::Kind& kind, const std::string& key) {
-  const auto component = [&](auto& x, auto& y, auto& z) -> auto& { return key == "x" ? x : key == "y" ? y : z; };
-  if (auto* c = std::get_if<Displacement>(&kind)) return component(c->x, c->y, c->z)->constant;
-  if (auto* c = std::get_if<Gravity>(&kind)) return component(c->acceleration.x, c->acceleration.y, c->acceleration.z);
-  if (auto* c = std::get_if<WaterPressure>(&kind)) return c->level;
-  if (auto* c = std::get_if<Traction>(&kind)) return component(c->x, c->y, c->z).constant;
-  if (auto* c = std::get_if<Pressure>(&kind)) return c->value.constant;
-  if (auto* c = std::get_if<Uplift>(&kind)) return key == "upstream_level" ? c->upstream_level : c->downstream_level;
-  if (auto* c = std::get_if<PointLoad>(&kind)) return component(c->force.x, c->force.y, c->force.z);
-  if (auto* c = std::get_if<FixedTemperature>(&kind)) return c->value.constant;
-  if (auto* c = std::get_if<Convection>(&kind)) return c->ambient.constant;
-  if (auto* c = std::get_if<Flux>(&kind)) return c->value.constant;
-  if (auto* c = std::get_if<HeatSource>(&kind)) return c->value.constant;
-  if (auto* c = std::get_if<TemperatureField>(&kind)) return c->value.constant;
-  throw std::logic_error("'" + key + "' cannot change in time");
-}
 
 Condition with_numbers(const Condition& condition, const std::function<double(const InTime&)>& choose) {
   Condition now = condition;
-  for (const InTime& number : condition.in_time) number_of(now.kind, number.key) = choose(number);
+  for (const InTime& number : condition.in_time) {
+    const double chosen = choose(number);
+    Value* value = value_of(now.kind, number.key);
+    if (number.field)
+      value->at = [field = number.field, chosen](const Vec3<double>& p) { return field(p, chosen); };
+    else
+      (value ? value->constant : number_of(now.kind, number.key)) = chosen;
+  }
   return now;
 }
 
@@ -142,7 +164,10 @@ void settle_times(Model& model) {
       while (first + 1 < times.size() && !gives(model.stages[first])) ++first;
     for (InTime& number : model.conditions[c].in_time) {
       const double origin = number.from_stage ? times[first].begin : 0;
-      if (number.function) {
+      if (number.field) {
+        const double from = times[first].begin - origin, to = times.back().end - origin;
+        number.table = to > from ? TimeTable{{from, to}, {from, to}} : TimeTable{{from}, {from}};
+      } else if (number.function) {
         Sampler sampler(number.function, number.table);
         for (std::size_t s = first; s < times.size(); ++s)
           if (times[s].end > times[s].begin) sampler.add(times[s].begin - origin, times[s].end - origin);

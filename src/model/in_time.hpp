@@ -18,15 +18,15 @@ double duration_of(const Stage& stage);
 
 /// Whether the table takes more than one value between two times.
 bool changes(const TimeTable& table, const StageTimes& stage);
+/// The largest value that it takes between two times.
+double largest(const TimeTable& table, const StageTimes& stage);
 /// Twice the shortest time from one turning point to the next within the stage, s; infinite with fewer than two.
 double shortest_period(const TimeTable& table, const StageTimes& stage);
 
-/// The number of a condition that a deck key gives. Throws std::logic_error if it cannot change in time.
-double& number_of(Condition::Kind& kind, const std::string& key);
-/// The condition with the number of each InTime as `choose` says.
+/// The condition with the number of each InTime as `choose` says. Throws std::logic_error for one that cannot change.
 Condition with_numbers(const Condition& condition, const std::function<double(const InTime&)>& choose);
 
-/// Gives every InTime its table on the time of the run: functions are sampled from the stage where their condition
+/// Gives every InTime its table on the time of the run: functions of time are sampled from the stage where their condition
 /// first acts to the end of the run, and what counts time from that stage is shifted.
 void settle_times(Model& model);
 

@@ -169,6 +169,7 @@ struct InTime {
   TimeTable table;
   bool from_stage = false;                    ///< time counts from the stage where the condition first acts, not the run's start
   std::function<double(double)> function;     ///< of time, until it has been sampled into the table
+  std::function<double(const Vec3<double>&, double)> field;  ///< of place and time; the table then gives the time to ask at
 };
 
 struct Condition {

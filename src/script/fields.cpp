@@ -46,7 +46,8 @@ std::string expected_at_once(const KeyRule& rule) {
     case KeyType::choices: return "a text or a list of texts: { \"a\", \"b\" }";
     case KeyType::names: return "a name or a list of names: { \"a\", \"b\" }";
     case KeyType::vector: return "{ x, y, z }";
-    case KeyType::field: return dimension_advice(rule.dimension) + ", or a function(x, y, z)";
+    case KeyType::field:
+      return dimension_advice(rule.dimension) + ", or a function(x, y, z)" + (rule.in_time ? ", or (x, y, z, t)" : "");
     case KeyType::outline: return "a list of at least three corners { x, z }";
     case KeyType::outlines: return "a list of outlines { {x, z}, {x, z}, {x, z}, ... }";
     case KeyType::vectors: return "two vectors { {x, y, z}, {x, y, z} }";
@@ -370,30 +371,51 @@ class FieldReader {
     }
   }
 
-  Value function_value(const KeyRule& rule, int index) {
+  /// A deck function of numbers that gives a value of the key. `place`: how a message tells where it was called.
+  template <std::size_t count>
+  auto number_function(const KeyRule& rule, int index,
+                       std::function<std::string(const std::array<double, count>&)> place, const std::string& reminder) {
     lua_pushvalue(L_, index);
     const int reference = luaL_ref(L_, LUA_REGISTRYINDEX);
     const std::string what = title(noun_.name, name_) + ": '" + rule.name + "'";
-    Value value;
-    value.at = [sandbox = sandbox_.shared_from_this(), reference, rule, what,
-                where = fields_.at(rule.name)](const Vec3<double>& p) {
+    return [sandbox = sandbox_.shared_from_this(), reference, rule, what, place, reminder,
+            where = fields_.at(rule.name)](const std::array<double, count>& arguments) {
       const std::lock_guard lock(sandbox->busy);
       lua_State* L = sandbox->state();
       lua_rawgeti(L, LUA_REGISTRYINDEX, reference);
-      for (int i = 0; i < 3; ++i) lua_pushnumber(L, p[i]);
-      sandbox->call(3, 1, sandbox->limits.instructions / 10, where.prefix() + what);
+      for (const double argument : arguments) lua_pushnumber(L, argument);
+      sandbox->call(static_cast<int>(count), 1, sandbox->limits.instructions / 10, where.prefix() + what);
       const auto q = to_quantity(L, -1);
       const std::string found =
           q ? number_complaint(rule, *q)
             : "is " + describe(L, lua_gettop(L)) + "; expected " + dimension_advice(rule.dimension);
       lua_pop(L, 1);
       if (!found.empty())
-        throw DeckError(
-            where, what + " at (" + decimal_text(p.x) + ", " + decimal_text(p.y) + ", " + decimal_text(p.z) + ") " +
-                       found + (q && q->dimension ? "; x, y and z are plain numbers in metres (z*m is a length)" : ""));
+        throw DeckError(where, what + " at " + place(arguments) + " " + found + (q && q->dimension ? "; " + reminder : ""));
       return q->value;
     };
-    return value;
+  }
+  static std::string place_of(double x, double y, double z) {
+    return "(" + decimal_text(x) + ", " + decimal_text(y) + ", " + decimal_text(z) + ")";
+  }
+  std::function<double(const Vec3<double>&)> function_of_place(const KeyRule& rule, int index) {
+    const auto function = number_function<3>(
+        rule, index, [](const auto& p) { return place_of(p[0], p[1], p[2]); },
+        "x, y and z are plain numbers in metres (z*m is a length)");
+    return [function](const Vec3<double>& p) { return function({p.x, p.y, p.z}); };
+  }
+  std::function<double(double)> function_of_time(const KeyRule& rule, int index) {
+    const auto function = number_function<1>(
+        rule, index, [](const auto& t) { return "t = " + decimal_text(t[0]) + " s"; },
+        "t is a plain number of seconds (t*s is a time)");
+    return [function](double t) { return function({t}); };
+  }
+  std::function<double(const Vec3<double>&, double)> function_of_place_and_time(const KeyRule& rule, int index) {
+    const auto function = number_function<4>(
+        rule, index,
+        [](const auto& p) { return place_of(p[0], p[1], p[2]) + ", t = " + decimal_text(p[3]) + " s,"; },
+        "x, y, z and t are plain numbers in metres and seconds (z*m is a length, t*s a time)");
+    return [function](const Vec3<double>& p, double t) { return function({p.x, p.y, p.z, t}); };
   }
 
   /// Rows { time, value }, or two lists, or a function, as in_time(...) or as a bare table of rows.
@@ -413,7 +435,15 @@ class FieldReader {
       lua_pushvalue(L_, index);
     }
     const int given = lua_gettop(L_);
-    if (lua_type(L_, given) == LUA_TFUNCTION) {
+    if (lua_type(L_, given) == LUA_TFUNCTION && parameters(given) > 1) {
+      if (rule.type != KeyType::field)
+        refuse("is one number for all places: write in_time(function(t) ... end)");
+      else if (parameters(given) == 4)
+        number.field = function_of_place_and_time(value, given);
+      else
+        refuse("is a function of " + std::to_string(parameters(given)) +
+               " numbers; in time it is function(t), of place and time function(x, y, z, t)");
+    } else if (lua_type(L_, given) == LUA_TFUNCTION) {
       number.function = function_of_time(value, given);
     } else {
       std::string complaint;
@@ -437,27 +467,12 @@ class FieldReader {
     field.in_time = number;
   }
 
-  std::function<double(double)> function_of_time(const KeyRule& rule, int index) {
+  int parameters(int index) {
+    lua_Debug about;
     lua_pushvalue(L_, index);
-    const int reference = luaL_ref(L_, LUA_REGISTRYINDEX);
-    const std::string what = title(noun_.name, name_) + ": '" + rule.name + "'";
-    return [sandbox = sandbox_.shared_from_this(), reference, rule, what, where = fields_.at(rule.name)](double t) {
-      lua_State* L = sandbox->state();
-      lua_rawgeti(L, LUA_REGISTRYINDEX, reference);
-      lua_pushnumber(L, t);
-      sandbox->call(1, 1, sandbox->limits.instructions / 10, where.prefix() + what);
-      const auto q = to_quantity(L, -1);
-      const std::string found =
-          q ? number_complaint(rule, *q)
-            : "is " + describe(L, lua_gettop(L)) + "; expected " + dimension_advice(rule.dimension);
-      lua_pop(L, 1);
-      if (!found.empty())
-        throw DeckError(where, what + " at t = " + decimal_text(t) + " s " + found +
-                                   (q && q->dimension ? "; t is a plain number of seconds (t*s is a time)" : ""));
-      return q->value;
-    };
+    lua_getinfo(L_, ">u", &about);
+    return about.nparams;
   }
-
   /// "t" where a plain function looks like one of time.
   std::string time_parameter(int index) {
     lua_pushvalue(L_, index);
@@ -477,7 +492,13 @@ class FieldReader {
       if (const std::string t = time_parameter(index); !t.empty())
         return complain(rule.name, "'" + rule.name + "' is a function of " + t +
                                        "; one of time is written in_time(function(" + t + ") ... end)" +
-                                       (rule.type == KeyType::field ? ", one of position function(x, y, z)" : ""));
+                                       (rule.type == KeyType::field
+                                            ? ", one of position function(x, y, z), of both function(x, y, z, t)"
+                                            : ""));
+    if (rule.type == KeyType::field && type == LUA_TFUNCTION && parameters(index) == 4) {
+      if (rule.in_time) return read_in_time(rule, index);
+      return complain(rule.name, "'" + rule.name + "' does not change in time; write function(x, y, z)");
+    }
     switch (rule.type) {
       case KeyType::number: read_number(rule, index, rule.name, field.quantities); break;
       case KeyType::integer: read_whole(rule, index, rule.name, field.quantities); break;
@@ -502,7 +523,7 @@ class FieldReader {
         break;
       case KeyType::field:
         if (type == LUA_TFUNCTION)
-          field.value = function_value(rule, index);
+          field.value.at = function_of_place(rule, index);
         else if (read_number(rule, index, rule.name, field.quantities))
           field.value.constant = field.quantities[0].value;
         break;

@@ -91,7 +91,7 @@ std::string key_line(const KeyRule& k) {
     doc += ": ";
     for (const auto& choice : k.choices) doc += (&choice == &k.choices.front() ? "\"" : ", \"") + choice + "\"";
   }
-  if (k.in_time) doc += "; may change in time";
+  if (k.in_time) doc += k.type == KeyType::field ? "; may change in time, with function(x, y, z, t) too" : "; may change in time";
   std::string facts = range_note(k);
   const auto add = [&](const std::string& fact) { facts += (facts.empty() ? "" : "; ") + fact; };
   if (k.required)
@@ -128,7 +128,8 @@ std::string help_functions() {
       read from a file with one column beside time; of more columns: in_time(air.time, air.temperature).
       Time is that of the run, in seconds: the durations of thermal, coupled and dynamic stages, one after the other. Other stages
       take no time: they see the values of the time reached. A function of t is sampled when the deck has been read;
-      a function of position is written function(x, y, z).
+      a function of position is written function(x, y, z), one of both function(x, y, z, t): it is sampled at so many
+      times, when its stage begins, that straight lines between them are 1e-4 of the change off at most.
   in_stage { ... }   in_stage(function(t) ... end)
       the same, with time counted from the beginning of the stage where the condition first acts, as for a shaken base.
   interpolate(places, values, x)
@@ -142,6 +143,44 @@ std::string help_functions() {
 )";
 }
 
+std::string law_text(const LawDoc& law) {
+  std::string all = "law = \"" + law.name + "\": " + wrapped(law.doc, 4, law.name.size() + 10) + "\n";
+  for (const auto& key : law.keys) all += key_line(rule_of(key));
+  return all;
+}
+
+/// A law of materials, of interfaces, or of both; "" if none has the name.
+std::string help_law(const std::string& name) {
+  std::string all;
+  for (const Laws kind : {Laws::material, Laws::interface}) {
+    std::string owners, example, text;
+    for (const auto& noun : nouns()) {
+      if (noun.laws != kind) continue;
+      for (const auto& law : laws_of(noun))
+        if (law.name == name) text = law_text(law);
+      owners += (owners.empty() ? "" : " and ") + noun.name;
+      if (example.empty()) example = noun.name;
+    }
+    if (!text.empty())
+      all += (all.empty() ? "" : "\n") + ("A law of " + owners + ".\n\n") + text + "\n`ashlar help " + example +
+             "` shows the keys beside those of the law, and the other laws.\n";
+  }
+  return all;
+}
+
+/// Where a key is used; "" if nowhere.
+std::string help_key(const std::string& name) {
+  std::string all;
+  for (const auto& noun : nouns()) {
+    for (const auto& key : noun.keys)
+      if (key.name == name) all += noun.name + "\n" + key_line(key);
+    for (const auto& law : laws_of(noun))
+      for (const auto& key : law.keys)
+        if (key.name == name) all += noun.name + ", law = \"" + law.name + "\"\n" + key_line(rule_of(key));
+  }
+  return all.empty() ? all : "A key, no noun. It belongs to\n\n" + all + "\n`ashlar help NOUN` shows all keys of a noun.\n";
+}
+
 }  // namespace
 
 std::string help_index() {
@@ -151,8 +190,8 @@ std::string help_index() {
     all += line + wrapped(headline(noun.doc), 24, line.size()) + "\n";
   }
   return all +
-         "\n  units                 unit constants\n  functions             deck.args, deck.read_table, interpolate, "
-         "...\n";
+         "\n  units                 unit constants\n  functions             deck.args, deck.read_table, in_time, interpolate, "
+         "...\n\n`ashlar help NAME` also knows laws (jointed, brittle, ...) and keys (film, young, ...).\n";
 }
 
 std::string help(const std::string& name) {
@@ -160,8 +199,14 @@ std::string help(const std::string& name) {
   if (name == "functions") return help_functions();
   const NounRule* noun = find_noun(name);
   if (!noun) {
-    std::vector<std::string> valid = {"units", "functions"};
-    for (const auto& n : nouns()) valid.push_back(n.name);
+    for (const std::string& page : {help_law(name), help_key(name)})
+      if (!page.empty()) return page;
+    std::vector<std::string> valid = {"units", "functions"}, laws;
+    for (const auto& n : nouns()) {
+      valid.push_back(n.name);
+      for (const auto& law : laws_of(n)) laws.push_back(law.name);
+    }
+    if (nearest_name(name, valid).empty() && !nearest_name(name, laws).empty()) valid = laws;
     throw DeckError({}, "help: there is no noun '" + name + "'" + suggest_name(name, valid));
   }
   std::string all = noun->name +
@@ -175,10 +220,7 @@ std::string help(const std::string& name) {
     if (key.name == "law")
       for (const auto& law : laws) key.choices.push_back(law.name);
   for (const auto& key : keys) all += key_line(key);
-  for (const auto& law : laws) {
-    all += "\nlaw = \"" + law.name + "\": " + wrapped(law.doc, 4, law.name.size() + 10) + "\n";
-    for (const auto& key : law.keys) all += key_line(rule_of(key));
-  }
+  for (const auto& law : laws) all += "\n" + law_text(law);
   return all + "\nExample\n  " + noun->example + "\n";
 }
 

@@ -33,51 +33,28 @@ std::vector<double> lumped_mass(const Problem& problem) {
 class GivenInTime {
  public:
   GivenInTime(const Problem& problem, int stage)
-      : backend_(*problem.backend),
-        load_(problem.model, stage,
+      : load_(problem.model, stage, *problem.backend, Field::load,
               [&](const auto& acting) { return problem.to_machine(mechanical_conditions(problem, acting).load, 3); }),
-        place_(problem.model, stage,
-               [&](const auto& acting) {
-                 const MechanicalConditions c = mechanical_conditions(problem, acting);
-                 std::vector<double> u(c.load.size(), 0.0);
-                 for (std::size_t i = 0; i < c.prescribed.size(); ++i) u[c.prescribed[i]] = c.displacement[i];
-                 return problem.to_machine(u, 3);
-               }),
-        times_(stage_times(problem.model)[stage]) {
-    backend_.write_parts(Field::load, load_.parts());
-    std::vector<std::vector<double>> velocity = place_.parts();
-    if (!velocity.empty()) velocity[0].assign(velocity[0].size(), 0.0);  // what stays does not move
-    backend_.write_parts(Field::given_velocity, velocity);
-  }
-  ~GivenInTime() {
-    backend_.write_parts(Field::load, {});
-    backend_.write_parts(Field::given_velocity, {});
-  }
+        velocity_(
+            problem.model, stage, *problem.backend, Field::given_velocity,
+            [&](const auto& acting) {
+              const MechanicalConditions c = mechanical_conditions(problem, acting);
+              std::vector<double> u(c.load.size(), 0.0);
+              for (std::size_t i = 0; i < c.prescribed.size(); ++i) u[c.prescribed[i]] = c.displacement[i];
+              return problem.to_machine(u, 3);
+            },
+            TimeParts::Sets::rate),
+        times_(stage_times(problem.model)[stage]) {}
 
   /// Loads at `time`, s since the stage began.
-  void load_at(double time) const {
-    if (load_.changing()) combine(Field::load, load_.factors(times_.begin + time));
-  }
+  void load_at(double time) { load_.set(times_.begin + time); }
   /// Mean velocity of what is moved from one time to another, s since the stage began.
-  void move(double from, double to) const {
-    if (!place_.changing()) return;
-    from = times_.begin + from;
-    to = std::min(times_.begin + to, times_.end);
-    std::vector<double> velocity = place_.factors(to);
-    const std::vector<double> before = place_.factors(from);
-    for (std::size_t k = 0; k < velocity.size(); ++k) velocity[k] = (velocity[k] - before[k]) / (to - from);
-    combine(Field::given_velocity, velocity);
+  void move(double from, double to) {
+    velocity_.set_rate(times_.begin + from, std::min(times_.begin + to, times_.end));
   }
 
  private:
-  void combine(Field field, const std::vector<double>& factors) const {
-    Controls controls;
-    controls.combined = field;
-    controls.factors = factors;
-    backend_.run(Phase::combine_parts, controls);
-  }
-  Backend& backend_;
-  TimeParts load_, place_;
+  TimeParts load_, velocity_;
   StageTimes times_;
 };
 

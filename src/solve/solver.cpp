@@ -445,6 +445,7 @@ class Run {
     const Body start = body();
     Body standing = start;
     long steps = 0;
+    bool undecided = false;  // a body that single precision cannot balance neither stands nor falls
     const auto own = [&](Exchange& e) {
       e("trials.steps", steps);
       for (auto& [field, values] : standing) e("trials.standing", values);
@@ -460,6 +461,8 @@ class Run {
       outcome_.ratio = trial.ratio;
       if (result_.interrupted) return false;
       if (found) standing = body();
+      undecided = trial.stop_reason == "precision limit";
+      if (undecided) return false;
       (found ? outcome_.safety_factor : outcome_.falling_factor) = factor;
       offer_checkpoint(own);
       return found;
@@ -471,11 +474,12 @@ class Run {
     } else if (outcome_.falling_factor == 0 && stands(how.high)) {
       outcome_.stop_reason = "stands at the highest factor";
     } else {
-      while (outcome_.falling_factor - outcome_.safety_factor > how.width && !result_.interrupted)
+      while (outcome_.falling_factor - outcome_.safety_factor > how.width && !result_.interrupted && !undecided)
         stands((outcome_.safety_factor + outcome_.falling_factor) / 2);
-      outcome_.converged = !result_.interrupted;
+      outcome_.converged = !result_.interrupted && !undecided;
       outcome_.stop_reason = "converged";
     }
+    if (undecided) outcome_.stop_reason = "precision limit";
     if (result_.interrupted) outcome_.stop_reason = "interrupted";
     outcome_.steps = steps;
     problem_.backend->weaken(outcome_.safety_factor > 0 ? outcome_.safety_factor : 1);

@@ -132,22 +132,29 @@ ThermalBoundary boundary_of(const Problem& problem, const std::vector<ActingCond
   return thermal_boundary(mesh, mesh.corners, mesh.node_count(), acting);
 }
 
-/// The boundary of a stage at its beginning.
+/// The boundary of a stage at its beginning; films at their largest, for the step that they allow.
 ThermalBoundary first_boundary(const Problem& problem, int stage) {
-  return boundary_of(problem, acting_conditions(problem.model, stage, stage_times(problem.model)[stage].begin));
+  const StageTimes times = stage_times(problem.model)[stage];
+  return boundary_of(problem, acting_conditions(problem.model, stage, [&](const InTime& number) {
+    return number.key == "film" ? largest(number.table, times) : number.table.at(times.begin);
+  }));
 }
 
 }  // namespace
 
 /// What the boundary gives and takes as time goes on.
 struct HeatMarch::BoundaryInTime {
-  TimeParts heat, given;
+  TimeParts heat, film, given;
   double begin;  ///< s, of the stage
 
   BoundaryInTime(const Problem& problem, Backend& backend, int stage)
-      : heat(problem.model, stage,
+      : heat(problem.model, stage, backend, Field::heat,
              [&](const auto& acting) { return to_machine(problem, boundary_of(problem, acting).heat); }),
-        given(problem.model, stage,
+        film(problem.model, stage, backend, Field::film,
+             [&](const auto& acting) {
+               return film_matrix(boundary_of(problem, acting).films, problem.discretisation.heat.new_node).value;
+             }),
+        given(problem.model, stage, backend, Field::given_temperature,
               [&](const auto& acting) {
                 const ThermalBoundary boundary = boundary_of(problem, acting);
                 std::vector<double> temperature(problem.model.mesh.node_count(), 0.0);
@@ -155,24 +162,14 @@ struct HeatMarch::BoundaryInTime {
                   temperature[boundary.fixed_nodes[i]] = boundary.fixed_temperature[i];
                 return to_machine(problem, temperature);
               }),
-        begin(stage_times(problem.model)[stage].begin) {
-    backend.write_parts(Field::heat, heat.parts());
-    backend.write_parts(Field::given_temperature, given.parts());
-  }
+        begin(stage_times(problem.model)[stage].begin) {}
 
-  bool changing() const { return heat.changing() || given.changing(); }
+  bool changing() const { return heat.changing() || film.changing() || given.changing(); }
   /// For the step from `time` to `time + step`, s since the stage began.
-  void set(Backend& backend, double time, double step) const {
-    if (heat.changing()) combine(backend, Field::heat, heat.factors(begin + time + step / 2));
-    if (given.changing()) combine(backend, Field::given_temperature, given.factors(begin + time + step));
-  }
-
- private:
-  static void combine(Backend& backend, Field field, const std::vector<double>& factors) {
-    Controls controls;
-    controls.combined = field;
-    controls.factors = factors;
-    backend.run(Phase::combine_parts, controls);
+  void set(double time, double step) {
+    heat.set(begin + time + step / 2);
+    film.set(begin + time + step / 2);
+    given.set(begin + time + step);
   }
 };
 
@@ -203,7 +200,7 @@ ThermalResult HeatMarch::march(double from, double to, const ThermalWatch& watch
   Controls controls;
   controls.time_step = result.time_step = steps.length;
   while (result.steps < steps.count) {
-    boundary_->set(backend_, from + static_cast<double>(result.steps) * steps.length, steps.length);
+    boundary_->set(from + static_cast<double>(result.steps) * steps.length, steps.length);
     const int together =
         boundary_->changing() ? 1 : static_cast<int>(std::min(steps_between_looks, steps.count - result.steps));
     backend_.march_heat(controls, together);

@@ -71,5 +71,26 @@ TEST(InTime, a_step_is_found_between_samples) {
   EXPECT_EQ(m.conditions[0].in_time[0].table.at(12.346), 2);
 }
 
+TEST(InTime, a_function_of_place_and_time_is_asked_at_the_time_that_its_condition_counts) {
+  Model m = two_heated_stages();
+  m.conditions[0].everywhere = false;
+  m.stages[1].apply = {0};
+  m.conditions[0].in_time = {{"value", {}, true, {}, [](const Vec3<double>& p, double t) { return 1000 * p.z + t; }}};
+  settle_times(m);
+  const auto at = [&](double time) {
+    return with_numbers(m.conditions[0], [&](const InTime& number) { return number.table.at(time); });
+  };
+  EXPECT_EQ(std::get<Flux>(m.conditions[0].kind).value({0, 0, 2}), 2000);
+  EXPECT_NEAR(std::get<Flux>(at(250).kind).value({0, 0, 2}), 2150, 1e-9);
+  EXPECT_NEAR(std::get<Flux>(at(400).kind).value({0, 0, 2}), 2300, 1e-9);
+}
+
+TEST(InTime, the_largest_value_of_a_stage_may_lie_inside_it) {
+  const TimeTable table{{0, 10, 20, 30}, {1, 7, 2, 9}};
+  EXPECT_EQ(largest(table, {0, 20}), 7);
+  EXPECT_EQ(largest(table, {12, 25}), 6);
+  EXPECT_EQ(largest(table, {5, 5}), 4);
+}
+
 }  // namespace
 }  // namespace ashlar

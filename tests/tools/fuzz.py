@@ -37,7 +37,8 @@ SURFACES = (".stl", ".off")   # files of facets, for solids
 
 WORDS = ["nil", "true", "0", "-1", "1e308", "-1e308", "0/0", "1/0", "2^53", "1e-320", "{}", "''", '"x"', "m", "Pa", "degC", "K",
          "kg/m^3", "function() end", "function(x, y, z) return nil end", "function(x, y, z) return 0/0 end",
-         "function(x, y, z) error('no') end", "function(x, y, z) return {} end", "print", "math.huge", "-math.huge",
+         "function(x, y, z) error('no') end", "function(x, y, z) return {} end", "function(x, y, z, t) return z * t end",
+         "function(x, y, z, t) return t > 0 and 0/0 or 1 end", "in_time(function(t) return t end)", "{ { 0, 1 }, { 1, 2 } }", "print", "math.huge", "-math.huge",
          "setmetatable({}, { __index = error })", "string.rep('x', 1e5)", "coroutine", "{ {}, {} }", "{ 0, 0, 0 }"]
 MILD = ["*0.1", "*0.9", "*1.2", "*3"]   # changes that a deck may well survive, for runs
 NUMBERS = ["0", "-1", "1", "2147483647", "2147483648", "-2147483648", "4294967295", "9223372036854775807",

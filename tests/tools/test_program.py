@@ -212,6 +212,15 @@ class Program(unittest.TestCase):
         self.assertIn("--precision", self.ashlar("help", "run").stdout)
         self.assertIn("default 30*deg", self.ashlar("help", "surface").stdout)
 
+    def test_help_knows_laws_and_keys(self):
+        self.assertIn("dip_direction", self.ashlar("help", "jointed").stdout)
+        self.assertIn("joint and crackable", self.ashlar("help", "brittle").stdout)
+        elastic = self.ashlar("help", "elastic").stdout
+        self.assertIn("young", elastic)
+        self.assertIn("normal_stiffness", elastic)
+        self.assertIn("convection", self.ashlar("help", "film").stdout)
+        self.assertIn("did you mean 'brittle'", self.ashlar("help", "britle").stderr)
+
     def test_a_transient_records_its_way(self):
         self.deck("""stage "heat" {
           apply = { fixed_temperature { surface = "left", value = 20*degC } },

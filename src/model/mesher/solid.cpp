@@ -1,6 +1,10 @@
 #include "model/mesher/solid.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
 
 #include "model/place_text.hpp"
 
@@ -17,6 +21,41 @@ double volume_of(const Tetrahedra& mesh) {
   return sum / 6;
 }
 
+/// Elements follow sharp edges into the corners of a surface: where two meet in a facet's corner at less than a degree,
+/// they would shrink without end.
+void check_corners(const FacetSurface& surface, double feature_angle, const Where& where, const std::string& title) {
+  const int count = static_cast<int>(surface.triangles.size());
+  const auto edge = [&](int t, int side) {
+    const int a = surface.triangles[t][side], b = surface.triangles[t][(side + 1) % 3];
+    return std::pair<int, int>(std::min(a, b), std::max(a, b));
+  };
+  std::map<std::pair<int, int>, std::vector<int>> sides;
+  for (int t = 0; t < count; ++t)
+    for (int side = 0; side < 3; ++side) sides[edge(t, side)].push_back(t);
+  const auto sharp = [&](const std::pair<int, int>& e) {
+    const Vec3<double> n = twice_area(surface, sides[e][0]), other = twice_area(surface, sides[e][1]);
+    return std::atan2(norm(cross(n, other)), dot(n, other)) > feature_angle;
+  };
+  constexpr double degree = std::numbers::pi / 180;
+  std::set<int> told;
+  Complaints complaints;
+  for (int t = 0; t < count; ++t)
+    for (int i = 0; i < 3; ++i) {
+      const auto& corner = surface.points[surface.triangles[t][i]];
+      const Vec3<double> a = surface.points[surface.triangles[t][(i + 1) % 3]] - corner,
+                         b = surface.points[surface.triangles[t][(i + 2) % 3]] - corner;
+      const double angle = std::atan2(norm(cross(a, b)), dot(a, b));
+      if (angle >= degree || !sharp(edge(t, i)) || !sharp(edge(t, (i + 2) % 3)) ||
+          !told.insert(surface.triangles[t][i]).second)
+        continue;
+      complaints.add(where, title + ": facet " + std::to_string(surface.facets[t]) + " ends in a needle at " +
+                                place_text(corner) + ", where two sharp edges meet at " + number_text(angle / degree) +
+                                " degrees; elements would shrink without end there. Cut the point off, or raise " +
+                                "'feature_angle'");
+    }
+  complaints.raise();
+}
+
 }  // namespace
 
 Tetrahedra mesh_solid(const Solid& solid, std::vector<std::string>& notes) {
@@ -24,6 +63,7 @@ Tetrahedra mesh_solid(const Solid& solid, std::vector<std::string>& notes) {
   auto surface = solid.surface;
   if (check_closed(surface, solid.where, title + ": " + solid.file))
     notes.push_back(title + ": the facets of " + solid.file + " look inwards; they are taken the other way round");
+  check_corners(surface, solid.feature_angle, solid.where, title + ": " + solid.file);
 
   const double volume = enclosed_volume(surface);
   constexpr double most = 2e8, share_of_cube = 0.118;  // volume of a regular tetrahedron over its edge cubed

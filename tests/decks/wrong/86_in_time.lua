@@ -8,7 +8,7 @@ convection "unit" { surface = "left", film = 15, ambient = in_time { { 0*m, 5*de
 convection "kelvin" { surface = "left", film = 15, ambient = in_time { { 0*s, 278*K } } }
 convection "row" { surface = "left", film = 15, ambient = { 5*degC, 8*degC } }
 convection "columns" { surface = "left", film = 15, ambient = { time = { 0, 1 }, air = { 5, 6 }, water = { 7, 8 } } }
-convection "film" { surface = "left", film = in_time { { 0, 15 } }, ambient = 5*degC }
+convection "film" { surface = "left", ambient = 5*degC, film = 15, below = { {0*days, 5*m}, {9*days, 9*m} } }
 gravity { z = function(t) return -9.81 end }
 initial_temperature { value = in_time { { 0, 15 } } }
 in_time(5)
