@@ -35,8 +35,8 @@ __global__ void __launch_bounds__(cluster_members, 8)
     const ClusterEnds ends = lists.ends[c];
     Vec3<Real> gap;
     for (int k = 0; k < 3; ++k) gap[k] = difference(u[k][ends.b], u[k][ends.a]);
-    const Vec3<Real> traction = joined(springs.answer_to(springs.stretch(gap, c), c).traction, springs.normal_of(c));
-    for (int k = 0; k < 3; ++k) pull[k][i] = springs.area[c] * traction[k];
+    const Vec3<Real> force = springs.force_on_a(springs.answer_to(springs.stretch(gap, c), c), c);
+    for (int k = 0; k < 3; ++k) pull[k][i] = force[k];
   }
   __syncthreads();
 

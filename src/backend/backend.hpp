@@ -68,9 +68,11 @@ enum class Field : std::uint8_t {
   stress,               ///< [6 * Gauss points] Pa
   slip,                 ///< [3 * contact points] m
   contact_state,        ///< [contact points] ContactState as a number
+  crack_water,          ///< [contact points] Pa, pressure where they are open; empty: all is dry
+  contact_damage,       ///< [contact points] broken share of a bond that softens; empty: nothing softens
   utilisation,          ///< [contact points] 1: at its strength
   displacement_before,  ///< [3 * block nodes] m, start of the way that spring_crossing looks at
-  spring_dissipation,   ///< [contact points] J since start_motion, by sliding and cracking
+  spring_dissipation,   ///< [3 * contact points] J since start_motion: of opening, shear, friction
   load_work,            ///< [block nodes] J since start_motion
   damping_work,         ///< [block nodes] J since start_motion
   temperature,          ///< [mesh nodes] degC
@@ -162,6 +164,7 @@ struct Setup {
   double reference_temperature = 0;               ///< degC
   bool heat_only = false;                         ///< nothing of the stress lane: no phase or field of it
   bool motion = false;                            ///< whether a stage is dynamic
+  bool crack_water = false;                       ///< whether water may stand in cracks
 
   /// [batches + 1] Gauss points that remember: first of each batch, Gauss points in a batch as in Batch::gauss.
   std::vector<int> first_history() const;

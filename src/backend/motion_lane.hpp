@@ -14,7 +14,7 @@ class MotionLane {
   void start(std::size_t nodes, std::size_t contacts) {
     load_work.resize(nodes);
     damping_work.resize(nodes);
-    spring_dissipation.resize(contacts);
+    spring_dissipation.resize(3 * contacts);
     damped_by_stiffness_ = false;
   }
   /// Velocity times `factor`, into `scaled`; makes room for the damping force, which steps take account of from now on.
@@ -47,7 +47,7 @@ class MotionLane {
 
  public:
   Array<Real> given_velocity;        ///< [3 * nodes] m/s of held components; empty: at rest
-  Array<double> spring_dissipation;  ///< [contacts] J
+  Array<double> spring_dissipation;  ///< [3 * contacts] J
   Array<double> load_work, damping_work;  ///< [nodes] J
 };
 

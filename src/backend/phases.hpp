@@ -173,7 +173,8 @@ class Phases final : public Backend {
       case Phase::advance_springs:
         return each_contact([&](auto springs, int first) {
           return AdvanceSprings<Real, decltype(springs)>{springs, body_.u, springs_.slip.data() + 3 * first,
-                                                         motion_.spring_dissipation.data() + first};
+                                                         springs_.damage_from(first),
+                                                         motion_.spring_dissipation.data() + 3 * first};
         });
       case Phase::damping_force: return damping_force(controls.stiffness_damping);
       case Phase::step_motion: return motion_.step(exec_, body_, controls);
@@ -492,6 +493,8 @@ class Phases final : public Backend {
     OverlapView<Real> overlaps = springs_.overlaps();
     pairs.slip = overlaps.slip = no_slip_.data();
     pairs.initial_gap = overlaps.initial_gap = nullptr;
+    pairs.damage = overlaps.damage = nullptr;  // bonded and linear
+    pairs.water = overlaps.water = nullptr;
     add_spring_force(pairs, overlaps, moved.u, view.product);
   }
   void damping_force(double factor) {
@@ -520,8 +523,8 @@ class Phases final : public Backend {
 
   /// Machines keep contact points in an order of their own.
   static bool is_of_contacts(Field field) {
-    return field == Field::slip || field == Field::contact_state || field == Field::utilisation ||
-           field == Field::spring_dissipation;
+    return field == Field::slip || field == Field::contact_state || field == Field::crack_water ||
+           field == Field::contact_damage || field == Field::utilisation || field == Field::spring_dissipation;
   }
   template <class Self, class Visit>
   static decltype(auto) visit_field(Self& self, Field field, Visit visit) {
@@ -538,6 +541,8 @@ class Phases final : public Backend {
       case Field::fixed: return visit(self.fixed_);
       case Field::slip: return visit(self.springs_.slip);
       case Field::contact_state: return visit(self.springs_.state);
+      case Field::crack_water: return visit(self.springs_.water);
+      case Field::contact_damage: return visit(self.springs_.damage);
       case Field::utilisation: return visit(self.springs_.utilisation);
       case Field::displacement_before: return visit(self.u_before_);
       case Field::spring_dissipation: return visit(self.motion_.spring_dissipation);

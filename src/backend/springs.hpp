@@ -46,7 +46,7 @@ class Springs {
     const ContactPoints& c = setup.contacts;
     const std::vector<int>& renumber = setup.discretisation.blocks.new_node;
     const int n = c.count(), pairs = c.pair_count();
-    std::vector<Real> normal(3 * n), initial_gap(c.initial_traction.empty() ? 0 : 3 * n);
+    std::vector<Real> normal(3 * n), initial_gap(c.has_initial_gap() ? 3 * n : 0);
     for (int i = 0; i < n; ++i) {
       for (int k = 0; k < 3; ++k) normal[3 * i + k] = Real(c.normal[i][k]);
       for (int k = 0; k < 3 && !initial_gap.empty(); ++k) initial_gap[3 * i + k] = Real(c.initial_gap(i)[k]);
@@ -63,6 +63,11 @@ class Springs {
     full_laws_ = setup.interface_laws;
     state.resize(n);
     slip.resize(3 * n);
+    strength_.assign(in_machine_order<Real>(real(c.strength)));
+    bool softens = false;
+    for (const auto& law : setup.interface_laws) softens = softens || law.softens();
+    damage.resize(softens ? n : 0);
+    water.resize(setup.crack_water ? n : 0);
     force_.resize(3 * n);
     utilisation.resize(n);
 
@@ -90,10 +95,13 @@ class Springs {
               .normal_stiffness = normal_stiffness_.data(),
               .shear_stiffness = shear_stiffness_.data(),
               .initial_gap = initial_gap.empty() ? nullptr : initial_gap_.data(),
+              .strength = c.strength.empty() ? nullptr : strength_.data(),
               .interface = interface_.data(),
               .laws = laws_.data(),
               .state = state.data(),
               .slip = slip.data(),
+              .damage = softens ? damage.data() : nullptr,
+              .water = setup.crack_water ? water.data() : nullptr,
               .force = force_.data(),
               .node = node_.data(),
               .node_first = node_first_.data(),
@@ -117,6 +125,8 @@ class Springs {
     const std::vector<double> here(values.begin(), values.end());
     each_moved(values.size(), [&](std::size_t in_model, std::size_t at) { values[in_model] = here[at]; });
   }
+  /// Damage of contact points from the first one on; null: nothing softens.
+  Real* damage_from(int first) { return damage.size() > 0 ? damage.data() + first : nullptr; }
   void weaken(double factor) {
     std::vector<SpringLaw<Real>> laws;
     for (const auto& law : full_laws_) laws.push_back(law.weakened(factor).template as<Real>());
@@ -165,9 +175,12 @@ class Springs {
     overlaps_.normal_stiffness += pairs;
     overlaps_.shear_stiffness += pairs;
     if (overlaps_.initial_gap) overlaps_.initial_gap += 3 * pairs;
+    if (overlaps_.strength) overlaps_.strength += pairs;
     overlaps_.interface += pairs;
     overlaps_.state += pairs;
     overlaps_.slip += 3 * pairs;
+    if (overlaps_.damage) overlaps_.damage += pairs;
+    if (overlaps_.water) overlaps_.water += pairs;
     overlaps_.force += 3 * pairs;
     overlaps_.node_count = static_cast<int>(of_overlaps.node.size());
     overlaps_.node = overlap_node_.data();
@@ -184,7 +197,7 @@ class Springs {
   Array<int> node_a_, node_b_, interface_, node_, node_first_, node_contact_;
   Array<int> first_end_, end_node_, overlap_node_, overlap_first_, overlap_contact_;
   Array<Real> normal_, initial_gap_, area_, normal_stiffness_, shear_stiffness_, force_;
-  Array<Real> end_weight_, overlap_weight_;
+  Array<Real> end_weight_, overlap_weight_, strength_;
   Array<SpringLaw<Real>> laws_;
   std::vector<SpringLaw<double>> full_laws_;
   SpringView<Real> pairs_;
@@ -192,7 +205,7 @@ class Springs {
 
  public:
   Array<ContactState> state;
-  Array<Real> slip, utilisation;
+  Array<Real> slip, damage, water, utilisation;
 };
 
 }  // namespace ashlar

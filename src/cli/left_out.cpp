@@ -34,8 +34,9 @@ std::vector<std::string> left_out(const Model& model) {
   std::vector<std::string> list;
   const bool breakable = !model.interfaces.empty();
   if (has_condition<WaterPressure>(model)) {
-    list.push_back(has_condition<Uplift>(model)
-                       ? "uplift inside: it acts on the faces given, not in cracks and pores"
+    list.push_back(has_condition<CrackWater>(model)
+                       ? "pore pressure: water acts in joints and cracks, not inside the material"
+                   : has_condition<Uplift>(model) ? "uplift inside: it acts on the faces given, not in cracks and pores"
                    : breakable ? "uplift: no water pressure acts in joints and cracks, nor in the pores"
                                : "uplift: no water pressure acts under the dam, nor in its pores");
     if (!water_rests_on_ground(model))

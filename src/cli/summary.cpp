@@ -63,7 +63,7 @@ std::string event_text(const CrackEvent& event) {
 }
 
 void describe_cracks(Page& page, const StageResult& stage) {
-  if (stage.events.empty() && stage.cracked_area == 0) return;
+  if (stage.events.empty() && stage.cracked_area == 0 && stage.loose.empty()) return;
   long points = 0;
   for (const CrackEvent& event : stage.events) points += event.contact_points;
   page.line("cracks",
@@ -77,9 +77,18 @@ void describe_cracks(Page& page, const StageResult& stage) {
   for (const auto& [direction, area] : stage.cracked_area_by_direction)
     directions += (directions.empty() ? " (" : ", ") + direction + text(" %.4g", area);
   page.line("cracks", text("  area %.4g m^2", stage.cracked_area) + directions + (directions.empty() ? "" : ")"));
-  if (stage.dissipated_energy > 0) page.line("cracks", text("  dissipated energy %.4g J", stage.dissipated_energy));
-  if (!stage.free_blocks.empty())
-    page.line("cracks", "  " + counted(static_cast<long>(stage.free_blocks.size()), "block") + " without any contact");
+  if (const auto& lost = stage.dissipated_by_contacts; lost.sum() > 0)
+    page.line("cracks", text("  dissipated by opening %.4g J, by shear %.4g J, by friction %.4g J", lost.opening,
+                             lost.shear, lost.friction));
+  constexpr std::size_t most_named = 10;
+  for (std::size_t i = 0; i < stage.loose.size() && i < most_named; ++i) {
+    const LooseBlocks& loose = stage.loose[i];
+    page.line("cracks", "  loose: " + counted(static_cast<long>(loose.blocks.size()), "block") +
+                            text(" of %s, %.4g m^3 about ", loose.region.c_str(), loose.volume) +
+                            place_in_metres(loose.centre));
+  }
+  if (stage.loose.size() > most_named)
+    page.line("cracks", text("  and %zu more loose bodies, in manifest.json", stage.loose.size() - most_named));
 }
 
 /// Seconds per activity or per phase over all stages, the longest first, one line each.

@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "physics/interface_laws/softening.hpp"
 #include "physics/laws/laws.hpp"
 
 namespace ashlar {
@@ -41,9 +42,12 @@ const std::vector<Field> interface_fields{
     {"slip", {"slip", true, 1, Type::real, "m"}, &Snapshot::slip},
     {"traction", {"normal_traction", true, 1, Type::real, "Pa"}, &Snapshot::normal_traction},
     {"traction", {"shear_traction", true, 1, Type::real, "Pa"}, &Snapshot::shear_traction},
+    {"broken", {"damage", true, 1, Type::real, ""}, &Snapshot::contact_damage},
 };
 const Field state_field{
-    "broken", {"state", true, 1, Type::byte, "", {"intact", "cracked in tension", "cracked in shear"}}, nullptr};
+    "broken",
+    {"state", true, 1, Type::byte, "", {"intact", "cracked in tension", "cracked in shear", "softening"}},
+    nullptr};
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -56,8 +60,12 @@ std::vector<GridArray> arrays_of(const std::vector<Field>& fields, const std::ve
   return arrays;
 }
 
-std::vector<GridArray> interface_arrays(const std::vector<std::string>& recorded) {
+std::vector<GridArray> interface_arrays(const Model& model) {
+  const auto recorded = recorded_names(model);
   auto arrays = arrays_of(interface_fields, recorded);
+  const bool softens = std::any_of(model.interfaces.begin(), model.interfaces.end(),
+                                   [](const Interface& i) { return i.law == SofteningInterface::name; });
+  if (!softens) std::erase_if(arrays, [](const GridArray& a) { return a.name == "damage"; });
   if (contains(recorded, state_field.record)) arrays.push_back(state_field.array);
   return arrays;
 }
@@ -132,7 +140,7 @@ GridFile make_interfaces(const std::string& folder, const std::string& program, 
       attributes_of(
           program, model,
           "cells: coincident faces, then triangles of overlaps; points: their contact points, cell after cell"),
-      {{interface, numbers}}, interface_arrays(recorded_names(model)), keep);
+      {{interface, numbers}}, interface_arrays(model), keep);
 }
 
 std::vector<std::string> names_of(const std::vector<GridArray>& arrays) {
@@ -207,7 +215,7 @@ ResultFile::ResultFile(const std::string& folder, const std::string& program, co
       contacts_(contacts),
       node_count_(blocks.mesh_node.size()),
       result_arrays_(names_of(arrays_of(result_fields, recorded_names(model)))),
-      interface_arrays_(names_of(interface_arrays(recorded_names(model)))),
+      interface_arrays_(names_of(interface_arrays(model))),
       results_(make_results(folder, program, model, blocks, keep)) {
   const bool beside_displacement = interface_arrays_.size() > contains(interface_arrays_, "displacement");
   if (!blocks.faces.empty() && beside_displacement)

@@ -109,7 +109,16 @@ Json described(const StageResult& stage) {
             {"cracked_area", stage.cracked_area}};
   json["cracked_area_by_direction"] = described(stage.cracked_area_by_direction);
   json["free_blocks"] = stage.free_blocks;
+  json["loose"] = Json::array();
+  for (const LooseBlocks& body : stage.loose)
+    json["loose"].push_back({{"blocks", body.blocks},
+                             {"region", body.region},
+                             {"volume", body.volume},
+                             {"centre", {body.centre.x, body.centre.y, body.centre.z}}});
   json["dissipated_energy"] = stage.dissipated_energy;
+  json["dissipated_by_contacts"] = {{"opening", stage.dissipated_by_contacts.opening},
+                                    {"shear", stage.dissipated_by_contacts.shear},
+                                    {"friction", stage.dissipated_by_contacts.friction}};
   json["plastic_work"] = stage.plastic_work;
   json["fracture_work"] = stage.fracture_work;
   if (stage.safety_factor > 0) json["safety_factor"] = stage.safety_factor;

@@ -93,7 +93,7 @@ struct HeatBound {
   }
 };
 
-/// One node with film -> adds the film's diagonal and row sum (its entries are never negative).
+/// One node with film -> adds the film's diagonal and absolute row sum.
 template <class Real>
 struct FilmBound {
   HeatView<Real> heat;
@@ -102,7 +102,7 @@ struct FilmBound {
     const int node = heat.film_node[i];
     for (int j = heat.film_first[i]; j < heat.film_first[i + 1]; ++j) {
       if (heat.film_column[j] == node) heat.bound[2 * node] += heat.film_value[j];
-      heat.bound[2 * node + 1] += heat.film_value[j];
+      heat.bound[2 * node + 1] += larger(heat.film_value[j], -heat.film_value[j]);
     }
   }
 };

@@ -11,31 +11,44 @@ struct AdvanceSprings {
   View springs;
   Summed<Real> u;
   Real* slip;           ///< [3 * contacts] m, the same array as SpringView::slip
-  double* dissipation;  ///< [contacts] J, since the stage began
+  Real* damage;         ///< [contacts], the same array as SpringView::damage; null: nothing softens
+  double* dissipation;  ///< [3 * contacts] J since the stage began: of opening, shear, friction
 
   ASHLAR_HD void operator()(int c) const {
-    const auto& law = springs.law_of(c);
-    const auto before = springs.answer(u, c);
-    double lost = 0;
-    auto now = before;
-    if (law.can_break(springs.state[c])) {
-      const auto used = utilisation(law, before.traction);
-      if (used.largest() < Real(1)) return;
-      springs.state[c] = used.mode();
-      now = springs.answer(u, c);
-      lost = stored(before.traction, c) - stored(now.traction, c);
-    } else {
-      lost = double(dot(now.traction.shear, now.slip - springs.slip_of(c)));
+    const auto law = springs.law_of(c);
+    if (damage && law.softens()) {
+      const auto now = springs.softening_answer_to(law, springs.stretch(springs.gap(u, c), c), c);
+      springs.state[c] = now.state;
+      damage[c] = now.damage;
+      book(c, double(now.lost.opening), double(now.lost.shear), double(now.lost.friction), now.slip);
+      return;
     }
-    dissipation[c] += double(springs.area[c]) * lost;
-    for (int i = 0; i < 3; ++i) slip[3 * c + i] = now.slip[i];
+    const auto before = springs.answer(u, c);
+    if (!law.can_break(springs.state[c]))
+      return book(c, 0, 0, double(dot(before.traction.shear, before.slip - springs.slip_of(c))), before.slip);
+    const auto used = utilisation(law, before.traction);
+    if (used.largest() < Real(1)) return;
+    springs.state[c] = used.mode();
+    const auto now = springs.answer(u, c);
+    book(c,
+         stored(before.traction.normal, springs.normal_stiffness[c]) -
+             stored(now.traction.normal, springs.normal_stiffness[c]),
+         stored(norm(before.traction.shear), springs.shear_stiffness[c]) -
+             stored(norm(now.traction.shear), springs.shear_stiffness[c]),
+         0, now.slip);
   }
 
  private:
+  ASHLAR_HD void book(int c, double opening, double shear, double friction, const Vec3<Real>& slipped) const {
+    const double lost[3] = {opening, shear, friction};
+    for (int i = 0; i < 3; ++i) {
+      dissipation[3 * c + i] += double(springs.area[c]) * lost[i];
+      slip[3 * c + i] = slipped[i];
+    }
+  }
   /// Elastic energy per area, J/m^2.
-  ASHLAR_HD double stored(const Split<Real>& t, int c) const {
-    return 0.5 * (double(t.normal) * double(t.normal) / double(springs.normal_stiffness[c]) +
-                  double(dot(t.shear, t.shear)) / double(springs.shear_stiffness[c]));
+  ASHLAR_HD static double stored(Real traction, Real stiffness) {
+    return 0.5 * double(traction) * double(traction) / double(stiffness);
   }
 };
 

@@ -12,7 +12,7 @@ struct SpringUtilisation {
   Real* used;  ///< [contacts]
 
   ASHLAR_HD void operator()(int c) const {
-    const auto& law = springs.law_of(c);
+    const auto law = springs.law_of(c);
     used[c] = law.can_break(springs.state[c]) ? utilisation(law, springs.answer(u, c).traction).largest() : Real(0);
   }
 };
@@ -27,7 +27,7 @@ struct SpringCrossing {
   Real* fraction;  ///< [contacts]
 
   ASHLAR_HD void operator()(int c) const {
-    const auto& law = springs.law_of(c);
+    const auto law = springs.law_of(c);
     fraction[c] = law.can_break(springs.state[c])
                       ? first_crossing(law, springs.answer(u_before, c).traction, springs.answer(u, c).traction)
                       : Real(2);
@@ -42,7 +42,7 @@ struct BreakSprings {
   Real threshold;
 
   ASHLAR_HD void operator()(int c) const {
-    const auto& law = springs.law_of(c);
+    const auto law = springs.law_of(c);
     if (!law.can_break(springs.state[c])) return;
     const auto used = utilisation(law, springs.answer(u, c).traction);
     if (used.largest() >= threshold) springs.state[c] = used.mode();

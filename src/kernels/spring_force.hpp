@@ -14,8 +14,8 @@ struct SpringForce {
   Summed<Real> u;  ///< [3 * block nodes] m
 
   ASHLAR_HD void operator()(int c) const {
-    const Vec3<Real> traction = joined(springs.answer(u, c).traction, springs.normal_of(c));
-    for (int i = 0; i < 3; ++i) springs.force[3 * c + i] = springs.area[c] * traction[i];
+    const Vec3<Real> force = springs.force_on_a(springs.answer(u, c), c);
+    for (int i = 0; i < 3; ++i) springs.force[3 * c + i] = force[i];
   }
 };
 

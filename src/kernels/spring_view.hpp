@@ -19,10 +19,13 @@ struct SpringView {
   const Real* normal_stiffness = nullptr;  ///< [contacts] Pa/m
   const Real* shear_stiffness = nullptr;   ///< [contacts] Pa/m
   const Real* initial_gap = nullptr;       ///< [3 * contacts] m, what the initial stress has stretched; null: nothing
+  const Real* strength = nullptr;          ///< [contacts] share of the law's strength; null: all of it
   const int* interface = nullptr;          ///< [contacts], index into laws
   const SpringLaw<Real>* laws = nullptr;
   ContactState* state = nullptr;  ///< [contacts]
   const Real* slip = nullptr;     ///< [3 * contacts] m, at the last kept equilibrium
+  const Real* damage = nullptr;   ///< [contacts] broken share at the last kept equilibrium; null: nothing softens
+  const Real* water = nullptr;    ///< [contacts] Pa, pressure where they are open; null: all is dry
   Real* force = nullptr;          ///< [3 * contacts] N, on side a; side b gets the opposite
 
   /// Springs of a node: entries node_first[i] .. node_first[i+1]-1 of node_contact, contacts ascending.
@@ -33,7 +36,10 @@ struct SpringView {
   ASHLAR_HD Vec3<Real> normal_of(int c) const { return {normal[3 * c], normal[3 * c + 1], normal[3 * c + 2]}; }
   ASHLAR_HD Vec3<Real> slip_of(int c) const { return {slip[3 * c], slip[3 * c + 1], slip[3 * c + 2]}; }
   ASHLAR_HD SpringStiffness<Real> stiffness_of(int c) const { return {normal_stiffness[c], shear_stiffness[c]}; }
-  ASHLAR_HD const SpringLaw<Real>& law_of(int c) const { return laws[interface[c]]; }
+  ASHLAR_HD SpringLaw<Real> law_of(int c) const {
+    const SpringLaw<Real>& law = laws[interface[c]];
+    return strength ? law.with_strength(strength[c]) : law;
+  }
   ASHLAR_HD Vec3<Real> gap(const Summed<Real>& u, int c) const {
     const int a = 3 * node_a[c], b = 3 * node_b[c];
     return {difference(u[b], u[a]), difference(u[b + 1], u[a + 1]), difference(u[b + 2], u[a + 2])};
@@ -48,10 +54,20 @@ struct SpringView {
   }
   /// The same where its faces have moved apart by `stretched`, m.
   ASHLAR_HD SpringAnswer<Real> answer_to(const Vec3<Real>& stretched, int c) const {
-    const auto& law = law_of(c);
+    const auto law = law_of(c);
+    if (damage && law.softens()) return softening_answer_to(law, stretched, c);
     const bool holds = law.holds(state[c]);  // such a spring has never slid
     return spring_traction(holds, law.tan_friction, stiffness_of(c), split(stretched, normal_of(c)),
                            holds ? Vec3<Real>{} : slip_of(c));
+  }
+  /// Force on side a, N: traction, and the water in what is open.
+  ASHLAR_HD Vec3<Real> force_on_a(SpringAnswer<Real> answer, int c) const {
+    if (water) answer.traction.normal = fma(-answer.damage, water[c], answer.traction.normal);
+    return area[c] * joined(answer.traction, normal_of(c));
+  }
+  ASHLAR_HD SofteningAnswer<Real> softening_answer_to(const SpringLaw<Real>& law, const Vec3<Real>& stretched,
+                                                      int c) const {
+    return softening_traction(law, stiffness_of(c), split(stretched, normal_of(c)), slip_of(c), damage[c], state[c]);
   }
 };
 

@@ -50,6 +50,8 @@ struct ContactPoints {
   std::vector<Vec3<double>> normal;              ///< unit, from a to b: mean normal of face a
   std::vector<double> area;                      ///< m^2, integral of N_i over the face; sums to the face area
   std::vector<double> normal_stiffness, shear_stiffness;  ///< Pa/m (numerics 5: f E_oed / h, f G / h, weaker side, unless given)
+  std::vector<double> strength;  ///< share of the law's strength that scatter gives a face; empty: all of it everywhere
+  std::vector<double> opening;   ///< m, gap at the start; empty: all are closed
   std::vector<Vec3<double>> initial_traction;    ///< Pa on side a, of the initial stress; empty: none
   int count() const { return static_cast<int>(face.size()); }
   int pair_count() const { return static_cast<int>(node_a.size()); }
@@ -66,8 +68,9 @@ struct ContactPoints {
     for (int i = first_end[c - pair_count()]; i < first_end[c - pair_count() + 1]; ++i)
       visit(end_node[i], end_weight[i]);
   }
-  /// What the traction of the initial stress stretches a spring by, m; zero without.
+  /// What the traction of the initial stress stretches a spring by, m, and its gap at the start.
   Vec3<double> initial_gap(int c) const;
+  bool has_initial_gap() const { return !initial_traction.empty() || !opening.empty(); }
 };
 ContactPoints place_contacts(const Model& model, const Blocks& blocks);
 

@@ -140,6 +140,8 @@ class ModelCheck {
         surface(name, c.where, who);
         if (!is_surface_load(c) || std::holds_alternative<Traction>(c.kind)) outer(name, c.where, who);
       }
+      if (c.line) on_line(c, who);
+      if (const auto* water = std::get_if<CrackWater>(&c.kind)) cracks(water->interfaces, c.where, who);
       if (std::holds_alternative<Uplift>(c.kind)) uplift(c);
       if (const auto* load = std::get_if<PointLoad>(&c.kind)) inside(load->at, c.where, who);
       if (const auto* source = std::get_if<HeatSource>(&c.kind))
@@ -147,6 +149,32 @@ class ModelCheck {
       if (const auto* start = std::get_if<InitialTemperature>(&c.kind))
         for (const auto& name : start->regions) region(name, c.where, who);
     }
+  }
+
+  void cracks(const std::vector<std::string>& names, const Where& where, const std::string& who) {
+    std::vector<std::string> known;
+    for (const Interface& i : model_.interfaces) known.push_back(i.name);
+    for (const auto& name : names) {
+      const auto at = std::find(known.begin(), known.end(), name);
+      if (at == known.end())
+        complaints_.add(where, who + ": there is no joint or crackable '" + name + "'" + suggest_name(name, known));
+      else if (model_.interfaces[at - known.begin()].law == ElasticInterface::name)
+        complaints_.add(where, who + ": '" + name + "' never opens: its law is elastic");
+    }
+  }
+
+  void on_line(const Condition& c, const std::string& who) {
+    const auto& [from, to] = *c.line;
+    if (norm(to - from) == 0) return complaints_.add(c.where, who + ": 'line' is between two different points");
+    for (const auto& name : c.surfaces) {
+      const Surface* surface = model_.mesh.find_surface(name);
+      if (!surface) continue;
+      for (const Facet& f : surface->facets)
+        for (const int n : model_.mesh.facet_nodes(f))
+          if (holds_at(c, model_.mesh.points[n])) return;
+    }
+    complaints_.add(
+        c.where, who + ": no node of its surfaces lies on the line from " + place_text(from) + " to " + place_text(to));
   }
 
   void inside(const Vec3<double>& place, const Where& where, const std::string& who) {

@@ -94,6 +94,14 @@ std::vector<ActingCondition> acting_conditions(const Model& model, int stage, do
   return acting_conditions(model, stage, [&](const InTime& number) { return number.table.at(time); });
 }
 
+bool holds_at(const Condition& condition, const Vec3<double>& p) {
+  if (!condition.line) return true;
+  const auto& [from, to] = *condition.line;
+  const Vec3<double> along = to - from;
+  const double length = norm(along), share = std::clamp(dot(p - from, along) / (length * length), 0.0, 1.0);
+  return norm(p - from - share * along) <= 1e-6 * length;
+}
+
 std::vector<const Material*> materials_by_region(const Model& model) {
   std::vector<const Material*> materials(model.mesh.region_names.size(), nullptr);
   for (const Material& material : model.materials)

@@ -34,6 +34,10 @@ std::vector<ActingCondition> acting_conditions(const Model& model, int stage,
 /// The same at `time`, s since the start of the run.
 std::vector<ActingCondition> acting_conditions(const Model& model, int stage, double time);
 
+/// Whether a held or moved node at `p` is meant: all of a surface, or those on the condition's line within a millionth
+/// of its length.
+bool holds_at(const Condition& condition, const Vec3<double>& p);
+
 /// Material of every mesh region. Throws DeckError naming regions without one.
 std::vector<const Material*> materials_by_region(const Model& model);
 

@@ -4,6 +4,7 @@
 
 #include "model/blocks.hpp"
 #include "model/check_mesh.hpp"
+#include "model/contact/scatter.hpp"
 #include "model/initial_stress.hpp"
 #include "model/loads.hpp"
 #include "physics/interface_laws/interface_laws.hpp"
@@ -92,14 +93,31 @@ std::vector<Triangle> triangles_of(const Overlap& overlap, bool affine) {
   return triangles;
 }
 
+/// [faces] shares of the mean strength, drawn in the order of the faces; empty: nothing scatters.
+std::vector<double> strength_of_faces(const Model& model, const Blocks& blocks) {
+  std::vector<StrengthShares> shares;
+  bool scatters = false;
+  for (const Interface& i : model.interfaces) {
+    shares.emplace_back(i.scatter);
+    scatters = scatters || i.scatter.kind != Scatter::Kind::none;
+  }
+  if (!scatters) return {};
+  std::vector<double> strength;
+  for (const InterfaceFace& face : blocks.faces) strength.push_back(shares[face.interface].next());
+  return strength;
+}
+
 std::string what(const Interface& i) { return (i.crackable ? "crackable '" : "joint '") + i.name + "'"; }
 
 }  // namespace
 
 Vec3<double> ContactPoints::initial_gap(int c) const {
-  if (initial_traction.empty()) return {};
-  const Split<double> t = split(initial_traction[c], normal[c]);
-  return (t.normal / normal_stiffness[c]) * normal[c] + (1 / shear_stiffness[c]) * t.shear;
+  Vec3<double> gap;
+  if (!initial_traction.empty()) {
+    const Split<double> t = split(initial_traction[c], normal[c]);
+    gap = (t.normal / normal_stiffness[c]) * normal[c] + (1 / shear_stiffness[c]) * t.shear;
+  }
+  return opening.empty() ? gap : gap + opening[c] * normal[c];
 }
 
 ContactPoints place_contacts(const Model& model, const Blocks& blocks) {
@@ -119,10 +137,11 @@ ContactPoints place_contacts(const Model& model, const Blocks& blocks) {
     const auto& a = moduli[mesh.regions[face.a.element]];
     const auto& b = moduli[mesh.regions[face.b.element]];
     const auto& given = constants[face.interface].stiffness;
-    const double per_modulus = given.stiffness_factor / half_heights;
-    const SpringStiffness<double> stiffness{
+    const double per_modulus = given.stiffness_factor / half_heights, ratio = constants[face.interface].stiffness_ratio;
+    SpringStiffness<double> stiffness{
         given.normal_stiffness > 0 ? given.normal_stiffness : per_modulus * std::min(a.oedometric, b.oedometric),
         given.shear_stiffness > 0 ? given.shear_stiffness : per_modulus * std::min(a.shear, b.shear)};
+    if (ratio > 0) stiffness.shear = ratio * stiffness.normal;
     if (!(stiffness.normal > 0 && stiffness.shear > 0))
       throw DeckError(model.interfaces[face.interface].where,
                       what(model.interfaces[face.interface]) + ": no stiffness, because region '" +
@@ -131,6 +150,9 @@ ContactPoints place_contacts(const Model& model, const Blocks& blocks) {
     return stiffness;
   };
 
+  const std::vector<double> strength = strength_of_faces(model, blocks);
+  const bool opens =
+      std::any_of(model.interfaces.begin(), model.interfaces.end(), [](const Interface& i) { return i.opening > 0; });
   ContactPoints contacts;
   const auto add = [&](int f, const Vec3<double>& normal, double area, const SpringStiffness<double>& stiffness) {
     contacts.face.push_back(f);
@@ -139,6 +161,13 @@ ContactPoints place_contacts(const Model& model, const Blocks& blocks) {
     contacts.area.push_back(area);
     contacts.normal_stiffness.push_back(stiffness.normal);
     contacts.shear_stiffness.push_back(stiffness.shear);
+    if (!strength.empty()) contacts.strength.push_back(strength[f]);
+    if (opens) contacts.opening.push_back(model.interfaces[blocks.faces[f].interface].opening);
+    const SpringLaw<double>& law = constants[blocks.faces[f].interface].law;
+    const Interface& declared = model.interfaces[blocks.faces[f].interface];
+    if (law.softens())
+      SofteningInterface::refuse_snap_back(law.with_strength(strength.empty() ? 1 : strength[f]), stiffness.normal,
+                                           declared.where, what(declared));
   };
   for (int f = 0; f < blocks.coincident_count(); ++f) {
     const auto& face = blocks.faces[f];

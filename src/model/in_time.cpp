@@ -73,6 +73,7 @@ double& number_of(Condition::Kind& kind, const std::string& key) {
   if (auto* c = std::get_if<Gravity>(&kind))
     return component(key, c->acceleration.x, c->acceleration.y, c->acceleration.z);
   if (auto* c = std::get_if<WaterPressure>(&kind)) return c->level;
+  if (auto* c = std::get_if<CrackWater>(&kind)) return c->level;
   if (auto* c = std::get_if<Uplift>(&kind)) return key == "upstream_level" ? c->upstream_level : c->downstream_level;
   if (auto* c = std::get_if<PointLoad>(&kind)) return component(key, c->force.x, c->force.y, c->force.z);
   if (auto* c = std::get_if<Convection>(&kind)) return c->film;

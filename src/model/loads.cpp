@@ -344,11 +344,17 @@ ThermalBoundary thermal_boundary(const Mesh& mesh, std::span<const int> corners,
   return boundary;
 }
 
-FilmMatrix film_matrix(std::span<const FilmFacet> films, std::span<const int> new_node) {
+FilmMatrix film_matrix(std::span<const FilmFacet> films, std::span<const HeatLink> links,
+                       std::span<const int> new_node) {
   std::map<std::pair<int, int>, double> entries;
   for (const FilmFacet& f : films)
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) entries[{new_node[f.nodes[i]], new_node[f.nodes[j]]}] += f.matrix[i][j];
+  for (const HeatLink& link : links)
+    for (std::size_t i = 0; i < link.nodes.size(); ++i)
+      for (std::size_t j = 0; j < link.nodes.size(); ++j)
+        entries[{new_node[link.nodes[i]], new_node[link.nodes[j]]}] +=
+            link.conductance * link.weights[i] * link.weights[j];
   FilmMatrix m;
   for (const auto& [place, value] : entries) {
     if (m.node.empty() || m.node.back() != place.first) {

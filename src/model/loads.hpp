@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/conditions.hpp"
+#include "model/contact/heat_links.hpp"
 #include "model/model.hpp"
 #include "physics/facet.hpp"
 
@@ -101,14 +102,15 @@ struct ThermalBoundary {
 ThermalBoundary thermal_boundary(const Mesh& mesh, std::span<const int> corners, int node_count,
                                  std::span<const ActingCondition> acting);
 
-/// The films as a matrix in rows, for machines: row i belongs to node[i], its entries first[i] .. first[i+1]-1 have
-/// ascending columns. Facets are summed in their order.
+/// Films and links as a matrix in rows, for machines: row i belongs to node[i], its entries first[i] .. first[i+1]-1
+/// have ascending columns. Facets are summed in their order, then links.
 struct FilmMatrix {
   std::vector<int> node, first{0}, column;
   std::vector<double> value;  ///< W/K
 };
 /// @param new_node [nodes] number on the machine of every node of the films
-FilmMatrix film_matrix(std::span<const FilmFacet> films, std::span<const int> new_node);
+FilmMatrix film_matrix(std::span<const FilmFacet> films, std::span<const HeatLink> links,
+                       std::span<const int> new_node);
 
 /// Integral of N_i rho c dV, J/K, [nodes]. Throws DeckError naming materials without heat_capacity.
 std::vector<double> lumped_capacity(const Model& model, std::span<const int> corners, int node_count);

@@ -92,6 +92,7 @@ std::vector<LooseBody> loose_bodies(const Model& model, const Blocks& blocks, in
         Body& body = bodies[body_of(facet.element)];
         const auto hold = [&](const Vec3<double>& direction) {
           for (int n : mesh.facet_nodes(facet)) {
+            if (!holds_at(*acting.condition, mesh.points[n])) continue;
             const Vector6 row = rigid_movements(body, mesh.points[n], direction);
             body.held += row * row.transpose();
           }

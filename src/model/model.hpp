@@ -102,6 +102,13 @@ struct Material {
   std::optional<bool> bbar;                   ///< elements that do not lock; without: for laws that remember
 };
 
+/// How strength differs from contact face to contact face.
+struct Scatter {
+  enum class Kind { none, normal, weibull } kind = Kind::none;
+  double variation = 0;  ///< standard deviation over mean
+  int seed = 1;
+};
+
 /// `joint "base" { between = {"dam","rock"}, law = ... }` and `crackable "body" { region = "dam", law = ... }`.
 struct Interface {
   std::string name;
@@ -112,6 +119,9 @@ struct Interface {
   std::map<std::string, double> values;
   double tolerance =
       0;  ///< joint: distance up to which facets meshed apart are joined, m; 0: a millionth of the model's size
+  double opening = 0;      ///< frictional: gap at the start, m
+  double conductance = 0;  ///< joint: of heat between faces meshed apart, W/(m^2 K); 0: almost none lost
+  Scatter scatter;         ///< of tensile strength and cohesion together
 };
 
 // ---------------------------------------------------------------- initial stress
@@ -138,6 +148,11 @@ struct Fix { bool x = false, y = false, z = false, normal = false; };
 struct Displacement { std::optional<Value> x, y, z; };             ///< m
 struct Gravity { Vec3<double> acceleration; };                      ///< m/s^2
 struct WaterPressure { double level = 0, density = 1000, gravity = 9.81; };  ///< p = density gravity (level - z) below the level
+/// Water in what is open of interfaces, p = density gravity (level - z) below the level.
+struct CrackWater {
+  std::vector<std::string> interfaces;
+  double level = 0, density = 1000, gravity = 9.81;
+};
 struct Traction { Value x, y, z; };                                 ///< Pa
 struct Pressure { Value value; };                                   ///< Pa, against the outward normal
 /// Water pressure under a base, density gravity (level(x) - z) where positive. The piezometric level runs linearly in x
@@ -173,13 +188,16 @@ struct InTime {
 };
 
 struct Condition {
-  using Kind = std::variant<Fix, Displacement, Gravity, WaterPressure, Traction, Pressure, Uplift, PointLoad,
-                            FixedTemperature, Convection, Flux, HeatSource, InitialTemperature, TemperatureField>;
+  using Kind =
+      std::variant<Fix, Displacement, Gravity, WaterPressure, Traction, Pressure, Uplift, PointLoad, FixedTemperature,
+                   Convection, Flux, HeatSource, InitialTemperature, TemperatureField, CrackWater>;
   std::string noun;                           ///< "fix", "gravity", ... as in the deck
   std::string name;                           ///< may be empty
   Where where;
   std::vector<std::string> surfaces;          ///< empty where the noun takes none
   Kind kind;
+  std::optional<std::array<Vec3<double>, 2>>
+      line{};                                 ///< of a held or moved surface only nodes between these two points, m
   bool everywhere = true;                     ///< declared outside `apply`: acts in every stage
   std::vector<InTime> in_time;                ///< numbers of `kind` that are those of the run's start until with_numbers
 };

@@ -130,13 +130,28 @@ int add_surface(const Call& c) {
 
 int add_interface(const Call& c) {
   const bool joint = c.noun.name == "joint";
-  Interface i{c.name,
-              c.fields.where,
-              !joint,
-              c.fields.texts(joint ? "between" : "region"),
-              c.fields.text("law"),
-              c.fields.law_values};
+  Interface i;
+  i.name = c.name;
+  i.where = c.fields.where;
+  i.crackable = !joint;
+  i.regions = c.fields.texts(joint ? "between" : "region");
+  i.law = c.fields.text("law");
+  i.values = c.fields.law_values;
   if (joint) i.tolerance = c.fields.maybe("tolerance").value_or(0);
+  if (joint) i.conductance = c.fields.maybe("conductance").value_or(0);
+  i.opening = c.fields.number("initial_opening");
+  if (i.opening > 0 && i.law != "frictional")
+    c.complain("initial_opening",
+               "'initial_opening' is that of a frictional interface: law '" + i.law + "' is bonded from the start");
+  if (c.fields.has("scatter")) {
+    if (i.law != "brittle" && i.law != "softening")
+      c.complain("scatter", "'scatter' is that of strength, which law '" + i.law + "' does not have");
+    if (!c.fields.has("variation")) c.complain("", "missing 'variation': standard deviation of strength over its mean");
+    i.scatter = {c.fields.text("scatter") == "weibull" ? Scatter::Kind::weibull : Scatter::Kind::normal,
+                 c.fields.maybe("variation").value_or(0), c.fields.integer("seed")};
+  } else if (c.fields.has("variation")) {
+    c.complain("variation", "'variation' needs 'scatter', the distribution: \"weibull\" or \"normal\"");
+  }
   if (joint && (i.regions.size() != 2 || i.regions[0] == i.regions[1]))
     c.complain("between", "'between' names two different regions: { \"dam\", \"rock\" }");
   c.model().interfaces.push_back(i);
@@ -214,6 +229,8 @@ Condition::Kind condition_kind(const Call& c) {
     return gravity;
   }
   if (noun == "water_pressure") return WaterPressure{f.number("level"), f.number("density"), f.number("gravity")};
+  if (noun == "crack_water")
+    return CrackWater{f.texts("of"), f.number("level"), f.number("density"), f.number("gravity")};
   if (noun == "traction") return Traction{f.value("x"), f.value("y"), f.value("z")};
   if (noun == "pressure") return Pressure{f.value("value")};
   if (noun == "uplift") return uplift(c);
@@ -231,8 +248,15 @@ Condition::Kind condition_kind(const Call& c) {
 }
 
 int add_condition(const Call& c) {
-  c.model().conditions.push_back(
-      {c.noun.name, c.name, c.fields.where, c.fields.texts("surface"), condition_kind(c), true, c.fields.in_time()});
+  Condition condition;
+  condition.noun = c.noun.name;
+  condition.name = c.name;
+  condition.where = c.fields.where;
+  condition.surfaces = c.fields.texts("surface");
+  condition.kind = condition_kind(c);
+  if (c.fields.has("line")) condition.line = {c.fields.vector("line", 0), c.fields.vector("line", 1)};
+  condition.in_time = c.fields.in_time();
+  c.model().conditions.push_back(std::move(condition));
   return static_cast<int>(c.model().conditions.size()) - 1;
 }
 

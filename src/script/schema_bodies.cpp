@@ -18,6 +18,19 @@ KeyRule law_key(const char* fallback) {
   const auto law = key("law", Type::choice, "how it deforms and fails; each law brings its own keys");
   return *fallback ? law.otherwise_text(fallback) : law.need();
 }
+Keys joint_keys() {
+  return {number("initial_opening", dimension::length, range::not_negative,
+                 "frictional: gap that is open at the start, such as of a contraction joint before it is grouted; it "
+                 "carries nothing until it has closed by that much")
+              .otherwise(0),
+          key("scatter", Type::choice,
+              "how tensile strength and cohesion differ, together, from face to face: the distribution about what is "
+              "given here; no difference unless given")
+              .of({"weibull", "normal"}),
+          number("variation", dimension::none, Range{0, 0.5, true},
+                 "standard deviation of strength over its mean (Weibull's modulus is about 1.2 / variation)"),
+          key("seed", Type::integer, "another seed draws other strengths").otherwise(1)};
+}
 KeyRule stress_key(const char* name) {
   return key(name, Type::field, (std::string("component ") + name + "; 0 unless given").c_str())
       .in(dimension::pressure);
@@ -150,17 +163,23 @@ std::vector<NounRule> body_nouns() {
            "An interface where two regions touch: their faces are tied by springs that open, slide and crack by the "
            "law. Meshes need not match there: faces that lie on each other are joined over the area that they share. "
            "`ashlar check` shows that area, the gaps, and what found no partner.",
-       .keys = {key("between", Type::names, "the two regions").need(), law_key(""),
+       .keys =
+           Keys{key("between", Type::names, "the two regions").need(), law_key(""),
                 number("tolerance", dimension::length, range::positive,
                        "largest gap or overlap across which faces of meshes that do not match are joined; a millionth "
-                       "of the model's size unless given")},
+                       "of the model's size unless given"),
+                number(
+                    "conductance", dimension::film, range::positive,
+                    "heat per area that passes between faces whose meshes do not share nodes, for each degree between "
+                    "them; ten times that of the half elements beside it unless given")} +
+           joint_keys(),
        .example =
            R"(joint "dam_base" { between = { "dam", "rock" }, law = "brittle", tensile_strength = 0.5*MPa, cohesion = 1*MPa, friction = 42*deg })",
        .laws = Laws::interface},
       {.name = "crackable",
        .doc = "Regions that may crack along every element face: each element becomes its own block, tied to its "
               "neighbours by springs.",
-       .keys = {region_key("regions that may crack"), law_key("")},
+       .keys = Keys{region_key("regions that may crack"), law_key("")} + joint_keys(),
        .example =
            R"(crackable "body" { region = "dam", law = "brittle", tensile_strength = 2*MPa, cohesion = 3*MPa, friction = 45*deg })",
        .laws = Laws::interface},

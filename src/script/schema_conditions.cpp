@@ -8,6 +8,10 @@ namespace {
 KeyRule field(const char* name, Dimension dimension, const char* doc) {
   return key(name, Type::field, doc).in(dimension).changing();
 }
+KeyRule line_key() {
+  return key("line", Type::vectors, "only nodes of the surface on the straight line between these two points")
+      .in(dimension::length);
+}
 KeyRule surface_key() {
   return key("surface", Type::names,
              "surfaces where it acts: declared with `surface`, sides of regions such as \"dam.bottom\" (left, right, "
@@ -32,14 +36,14 @@ std::vector<NounRule> condition_nouns() {
        .doc = "Holds a surface at zero displacement in the directions given.",
        .keys = {surface_key(), key("x", Type::zero, "0: no movement along x"),
                 key("y", Type::zero, "0: no movement along y"), key("z", Type::zero, "0: no movement along z"),
-                key("normal", Type::flag, "true: no movement normal to the surface (roller)").otherwise(0)},
+                key("normal", Type::flag, "true: no movement normal to the surface (roller)").otherwise(0), line_key()},
        .example = R"(fix "base" { surface = "bottom", x = 0, y = 0, z = 0 })"},
       {.name = "displacement",
        .kind = NounKind::condition,
        .naming = Naming::optional,
        .doc = "Moves a surface by a given displacement; directions that are left out stay free.",
        .keys = {surface_key(), field("x", dimension::length, "along x"), field("y", dimension::length, "along y"),
-                field("z", dimension::length, "along z")},
+                field("z", dimension::length, "along z"), line_key()},
        .example = R"(displacement "pull" { surface = "top", z = 1*mm })"},
       {.name = "gravity",
        .kind = NounKind::condition,
@@ -60,6 +64,17 @@ std::vector<NounRule> condition_nouns() {
                 number("density", dimension::density, range::positive, "of the water").otherwise(1000),
                 number("gravity", dimension::acceleration, range::positive, "strength of gravity").otherwise(9.81)},
        .example = R"(water_pressure "reservoir" { surface = "upstream", level = 55*m })"},
+      {.name = "crack_water",
+       .kind = NounKind::condition,
+       .naming = Naming::optional,
+       .doc = "Water that stands in joints where they are open or cracked, and follows cracks as they grow: it presses "
+              "both faces apart with density * gravity * (level - z) below its level. Uncracked parts stay dry; for "
+              "seepage through them see `uplift`.",
+       .keys = {key("of", Type::names, "joints and crackables that it enters").need(),
+                number("level", dimension::length, range::any, "height z of the water table").need().changing(),
+                number("density", dimension::density, range::positive, "of water").otherwise(1000),
+                number("gravity", dimension::acceleration, range::positive, "strength of gravity").otherwise(9.81)},
+       .example = R"(crack_water { of = { "dam_base" }, level = 55*m })"},
       {.name = "traction",
        .kind = NounKind::condition,
        .naming = Naming::optional,

@@ -29,7 +29,14 @@ const std::vector<Recorded>& recorded() {
        false,
        false,
        true},
-      {"dissipation", dimension::energy, {"plastic", "fracture"}, false, false, false, true},
+      {"dissipation",
+       dimension::energy,
+       {"plastic", "fracture", "opening", "shear", "friction"},
+       false,
+       false,
+       false,
+       true},
+      {"cracked_area", dimension::area, {}, false, false, false, true},
   };
   return all;
 }

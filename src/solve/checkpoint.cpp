@@ -22,6 +22,18 @@ void exchange(Exchange& e, const std::string& name, EnergyBalance& energy) {
   for (double* part :
        {&energy.kinetic, &energy.strain, &energy.dissipated, &energy.external_work, &energy.error, &energy.drift})
     e(name, *part);
+  e(name + ".contacts", energy.contacts);
+}
+
+void exchange(Exchange& e, const std::string& name, Dissipation<double>& lost) {
+  for (double* part : {&lost.opening, &lost.shear, &lost.friction}) e(name, *part);
+}
+
+void exchange(Exchange& e, const std::string& name, LooseBlocks& loose) {
+  e(name + ".blocks", loose.blocks);
+  e(name + ".region", loose.region);
+  e(name + ".volume", loose.volume);
+  e(name + ".centre", loose.centre);
 }
 
 void exchange(Exchange& e, const std::string& name, InitialBalance& balance) {
@@ -56,6 +68,8 @@ void exchange(Exchange& e, const std::string& name, StageResult& s) {
   e(name + ".event", s.events);
   e(name + ".direction", s.cracked_area_by_direction);
   e(name + ".free_block", s.free_blocks);
+  e(name + ".loose", s.loose);
+  e(name + ".by_contacts", s.dissipated_by_contacts);
   e(name + ".initial", s.initial);
   e(name + ".lanes", s.lanes);
   e(name + ".energy", s.energy);

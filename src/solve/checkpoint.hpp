@@ -123,6 +123,8 @@ void exchange(Exchange& e, const std::string& name, CrackEvent& event);
 void exchange(Exchange& e, const std::string& name, EnergyBalance& energy);
 void exchange(Exchange& e, const std::string& name, InitialBalance& balance);
 void exchange(Exchange& e, const std::string& name, LaneTimes& lanes);
+void exchange(Exchange& e, const std::string& name, LooseBlocks& loose);
+void exchange(Exchange& e, const std::string& name, Dissipation<double>& lost);
 void exchange(Exchange& e, const std::string& name, PhaseTime& time);
 void exchange(Exchange& e, const std::string& name, StageResult& stage);
 void exchange(Exchange& e, const std::string& name, HistoryTable::Row& row);

@@ -14,7 +14,7 @@ std::vector<ContactPoint> ContactReader::read() const {
   const std::vector<int>& renumber = problem_.discretisation.blocks.new_node;
   Backend& backend = *problem_.backend;
   const auto u = backend.read(Field::displacement), slip = backend.read(Field::slip),
-             state = backend.read(Field::contact_state);
+             state = backend.read(Field::contact_state), damage = backend.read(Field::contact_damage);
   std::vector<ContactPoint> points(c.count());
   for (int i = 0; i < c.count(); ++i) {
     ContactPoint& point = points[i];
@@ -25,31 +25,48 @@ std::vector<ContactPoint> ContactReader::read() const {
       gap = gap + weight * Vec3<double>{at[0], at[1], at[2]};
     });
     point.state = static_cast<ContactState>(static_cast<int>(state[i]));
-    point.bonded = law.holds(point.state);
     point.gap = split(gap, c.normal[i]);
     const auto stretch = split(gap + c.initial_gap(i), c.normal[i]);
     point.closed = stretch.normal <= 0;
-    const auto answer = spring_traction(point.bonded, law.tan_friction,
-                                        SpringStiffness<double>{c.normal_stiffness[i], c.shear_stiffness[i]}, stretch,
-                                        Vec3<double>{slip[3 * i], slip[3 * i + 1], slip[3 * i + 2]});
+    const SpringStiffness<double> stiffness{c.normal_stiffness[i], c.shear_stiffness[i]};
+    const Vec3<double> slipped{slip[3 * i], slip[3 * i + 1], slip[3 * i + 2]};
+    if (law.softens()) {
+      const auto answer = softening_traction(c.strength.empty() ? law : law.with_strength(c.strength[i]), stiffness,
+                                             stretch, slipped, damage[i], point.state);
+      point.traction = answer.traction;
+      point.slip = answer.slip;
+      point.rubbing = answer.rubbing;
+      point.damage = answer.damage;
+      point.lost = answer.lost;
+      point.state = answer.state;
+      point.bonded = answer.damage < 1;
+      continue;
+    }
+    point.bonded = law.holds(point.state);
+    const auto answer = spring_traction(point.bonded, law.tan_friction, stiffness, stretch, slipped);
     point.traction = answer.traction;
+    point.rubbing = answer.traction.shear;
     point.slip = answer.slip;
+    point.damage = is_cracked(point.state) ? 1 : 0;
   }
   return points;
 }
 
-void fill_contact_fields(const std::vector<ContactPoint>& points, Snapshot& snapshot) {
+void fill_contact_fields(const std::vector<ContactPoint>& points, const std::vector<double>& opening,
+                         Snapshot& snapshot) {
   snapshot.opening.clear();
   snapshot.slip.clear();
   snapshot.normal_traction.clear();
   snapshot.shear_traction.clear();
   snapshot.contact_state.clear();
+  snapshot.contact_damage.clear();
   for (const auto& point : points) {
-    snapshot.opening.push_back(point.gap.normal);
+    snapshot.opening.push_back(point.gap.normal + (opening.empty() ? 0 : opening[snapshot.opening.size()]));
     snapshot.slip.push_back(norm(point.gap.shear));
     snapshot.normal_traction.push_back(point.traction.normal);
     snapshot.shear_traction.push_back(norm(point.traction.shear));
     snapshot.contact_state.push_back(static_cast<std::uint8_t>(point.state));
+    snapshot.contact_damage.push_back(point.damage);
   }
 }
 

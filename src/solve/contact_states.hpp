@@ -12,7 +12,10 @@ struct ContactPoint {
   Split<double> gap;       ///< m, u_b - u_a
   Split<double> traction;  ///< Pa, on side a
   Vec3<double> slip;       ///< m
-  ContactState state = ContactState::intact;
+  Vec3<double> rubbing;    ///< Pa, the part of the shear traction that slip has a share in
+  double damage = 0;       ///< broken share
+  Dissipation<double> lost;                   ///< J/m^2 since the last kept equilibrium, by what softens
+  ContactState state = ContactState::intact;  ///< with the present damage of what softens
   bool bonded = false;  ///< carries tension
   bool closed = false;  ///< pressed together, in its initial stress too
   /// Whether the sides hold each other: bonded, or pressed together.
@@ -32,7 +35,8 @@ class ContactReader {
   std::vector<SpringLaw<double>> laws_;  ///< [interfaces]
 };
 
-/// Opening, slip, tractions and state of a snapshot.
-void fill_contact_fields(const std::vector<ContactPoint>& points, Snapshot& snapshot);
+/// Opening, slip, tractions and state of a snapshot; `opening`: ContactPoints::opening.
+void fill_contact_fields(const std::vector<ContactPoint>& points, const std::vector<double>& opening,
+                         Snapshot& snapshot);
 
 }  // namespace ashlar

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "solve/checkpoint.hpp"
@@ -17,7 +18,7 @@ class CrackEvents {
   explicit CrackEvents(const Problem& problem);
 
   /// Whether any contact point has a strength.
-  bool breakable() const { return breakable_; }
+  bool can_crack() const { return breakable_ || softens_; }
   /// Whether any contact point can open or slide, at once or after it has cracked.
   bool can_separate() const { return slides_; }
 
@@ -28,15 +29,17 @@ class CrackEvents {
   /// Cracks the worst group at the present, converged state, which has to use its strength, and tells what broke.
   CrackEvent break_worst_group(double load_factor);
 
-  /// Takes the slip of the present equilibrium as the one to go on from, and books the friction work since the last
-  /// one: traction now times slip since then, never negative.
-  void keep_slip();
-
-  /// J: friction work, and spring energy set free by cracking beyond what friction takes over.
-  double dissipated_energy() const { return dissipated_; }
+  /// Takes slip and damage of the present equilibrium as those to go on from, and books what both have cost since the
+  /// last one: traction now times slip since then, and the energy of softening, never negative. Tells what has softened
+  /// to the end since then.
+  std::optional<CrackEvent> keep_history(double load_factor);
 
   /// Cracked area in all and by direction, dissipated energy.
-  void fill(StageResult& result);
+  void fill(StageResult& result) const;
+  void fill_areas(StageResult& result) const;
+
+  /// J since the stage began.
+  const Dissipation<double>& dissipated() const { return dissipated_; }
 
   void exchange(Exchange& e) { e("dissipated", dissipated_); }
 
@@ -44,11 +47,14 @@ class CrackEvents {
   double cracked_fraction();
 
  private:
+  /// A group that cracked at the same time: `worst` and its place, mode by its state.
+  CrackEvent event_of(int worst, ContactState state, double load_factor) const;
   const Problem& problem_;
   ContactReader contacts_;
   bool breakable_ = false;
   bool slides_ = false;
-  double dissipated_ = 0;
+  bool softens_ = false;
+  Dissipation<double> dissipated_;  ///< J: friction work, and spring energy set free beyond what friction takes over
 };
 
 /// Direction of a crack by its normal: "horizontal" within 30 degrees of z, "vertical" within 30 degrees of the

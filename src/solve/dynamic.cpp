@@ -199,7 +199,7 @@ class Motion {
     const bool runaway = m.kinetic > runaway_energy * could_be;
     if (record || runaway || !balanced_ || problem_.contacts.count() == 0) balance(m);
     if (runaway) return stop_at_fastest("runaway energy");
-    if (cracks_.breakable()) note_cracks(seconds);
+    if (cracks_.can_crack()) note_cracks(seconds);
     return true;
   }
 
@@ -234,6 +234,7 @@ class Motion {
     e.kinetic = m.kinetic;
     e.strain = m.potential;
     e.dissipated = m.damped;
+    e.contacts = {};
     e.external_work = m.supplied;
     if (problem_.contacts.count() > 0) {
       const std::vector<double> lost = backend_.read(Field::spring_dissipation);
@@ -241,11 +242,14 @@ class Motion {
       for (int c = 0; c < problem_.contacts.count(); ++c) {
         // force . u took the whole relative displacement of a spring, its slip is no strain.
         const double area = problem_.contacts.area[c];
-        e.strain -= 0.5 * area * dot(points[c].traction.shear, points[c].slip);
+        e.strain -= 0.5 * area * dot(points[c].rubbing, points[c].slip);
+        if (!problem_.contacts.opening.empty())
+          e.strain += 0.5 * area * points[c].traction.normal * problem_.contacts.opening[c];
         if (!problem_.contacts.initial_traction.empty()) e.strain -= 0.5 * area * unfelt(points[c], c);
-        e.dissipated += lost[c];
+        e.contacts = e.contacts + Dissipation<double>{lost[3 * c], lost[3 * c + 1], lost[3 * c + 2]};
       }
     }
+    e.dissipated += e.contacts.sum();
     const double sum = e.kinetic + e.strain + e.dissipated - e.external_work;
     if (!balanced_) {
       first_sum_ = sum;
@@ -270,7 +274,9 @@ class Motion {
     const ContactPoints& contacts = problem_.contacts;
     CrackEvent event;
     for (int c = 0; c < contacts.count(); ++c) {
-      if (state[c] == state_[c] || event.contact_points++ > 0) continue;
+      if (state[c] == state_[c] || !is_cracked(static_cast<ContactState>(static_cast<int>(state[c]))) ||
+          event.contact_points++ > 0)
+        continue;
       event.place = problem_.place_of_contact(c);
       for (int i = 0; i < 3; ++i) event.place[i] += 0.0;  // meshes write -0
       event.interface = problem_.model.interfaces[contacts.interface[c]].name;
@@ -354,7 +360,7 @@ void move_in_time(const Problem& problem, const Stage& stage, bool moving, const
   Motion motion(problem, stage, links, result);
   motion.run(moving);
   CrackEvents cracks(problem);
-  cracks.fill(result);
+  cracks.fill_areas(result);
   result.dissipated_energy = result.energy.dissipated;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "model/check_mesh.hpp"
+
 namespace ashlar {
 
 namespace {
@@ -51,13 +53,16 @@ void Fracture::restore(const State& state) {
 }
 
 /// What depends on the path takes the present equilibrium as the one to go on from.
-void Fracture::move_on() {
-  cracks_.keep_slip();
+void Fracture::move_on(double factor) {
+  if (auto event = cracks_.keep_history(factor)) {
+    events_.push_back(std::move(*event));
+    if (links_.cracked) links_.cracked(events_.back(), cracks_.cracked_fraction());
+  }
   if (plastic_) problem_.backend->run(Phase::advance_history);
 }
 
 void Fracture::keep(double factor, bool smooth) {
-  move_on();
+  move_on(factor);
   State now = present(factor);
   if (smooth && !kept_.displacement.empty() && factor > kept_.factor) {
     rate_.resize(now.displacement.size());
@@ -77,6 +82,7 @@ bool Fracture::hold_free_bodies() {
   bool loaded = false;
   for (const auto& body : bodies) {
     free_blocks_.insert(free_blocks_.end(), body.blocks.begin(), body.blocks.end());
+    loose_.push_back(describe(body.blocks));
     for (const int component : body.supports)
       fixed[component / 3] = static_cast<double>(static_cast<int>(fixed[component / 3]) | 1 << component % 3);
     for (const int n : body.nodes)
@@ -89,6 +95,20 @@ bool Fracture::hold_free_bodies() {
   backend.write(Field::fixed, fixed);
   backend.write(Field::velocity, velocity);
   return loaded ? stop("block free") : true;
+}
+
+LooseBlocks Fracture::describe(const std::vector<int>& blocks) const {
+  const Mesh& mesh = problem_.model.mesh;
+  LooseBlocks loose{blocks, "", 0, {}};
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    if (!std::binary_search(blocks.begin(), blocks.end(), problem_.blocks.block_of_element[e])) continue;
+    if (loose.region.empty()) loose.region = mesh.region_names[mesh.regions[e]];
+    const double volume = element_volume(mesh, e);
+    loose.volume += volume;
+    loose.centre = loose.centre + volume * mesh.centroid(e);
+  }
+  loose.centre = (1 / loose.volume) * loose.centre;
+  return loose;
 }
 
 /// Largest displacement component since the last kept equilibrium, m.
@@ -137,7 +157,7 @@ bool Fracture::settle(double load_factor) {
   while (cracks_.largest_utilisation() >= 1) {
     offer_checkpoint();
     if (static_cast<long>(events_.size()) >= max_events_) return stop("event limit");
-    move_on();
+    move_on(load_factor);
     events_.push_back(cracks_.break_worst_group(load_factor));
     if (links_.cracked) links_.cracked(events_.back(), cracks_.cracked_fraction());
     if (!relax()) return false;
@@ -220,7 +240,7 @@ bool Fracture::advance(int increments) {
       const auto factor = reach_first_crack(present(target), used);
       if (!factor || !settle(*factor)) return false;
     }
-    if (links_.increment_reached) links_.increment_reached(target);
+    if (links_.increment_reached) links_.increment_reached(target, cracks_.dissipated());
   }
   return true;
 }
@@ -240,6 +260,7 @@ void Fracture::exchange(Exchange& e) {
   e("rate", rate_);
   e("events", events_);
   e("free_blocks", free_blocks_);
+  e("loose", loose_);
   e("last.converged", last_.converged);
   e("last.ratio", last_.ratio);
   e("search_steps", steps_);
@@ -256,6 +277,7 @@ void Fracture::fill(StageResult& result) {
   result.load_factor = kept_.factor;
   result.events = events_;
   result.free_blocks = free_blocks_;
+  result.loose = loose_;
   cracks_.fill(result);
 }
 

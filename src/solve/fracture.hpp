@@ -24,7 +24,7 @@ struct FractureLinks {
   /// Called for every crack event.
   std::function<void(const CrackEvent&, double cracked_fraction)> cracked;
   /// Called at the end of every increment of the load factor, at equilibrium.
-  std::function<void(double load_factor)> increment_reached;
+  std::function<void(double load_factor, const Dissipation<double>& lost)> increment_reached;  ///< J by contacts so far
   /// Offered wherever the stage could go on from; calls back with what to write down if it is wanted.
   std::function<void(const std::function<void(Exchange&)>&)> keep;
 };
@@ -73,9 +73,10 @@ class Fracture {
   double moved() const;
   bool relax();
   bool hold_free_bodies();
+  LooseBlocks describe(const std::vector<int>& blocks) const;
   bool reach(double factor);
   double first_crossing(const State& high);
-  void move_on();
+  void move_on(double factor);
   std::optional<double> reach_first_crack(State high, double used);
   bool stop(const std::string& reason);
   void keep(double factor, bool smooth);
@@ -94,6 +95,7 @@ class Fracture {
   std::vector<double> rate_;  ///< displacement per load factor over the last advance; empty at first
   std::vector<CrackEvent> events_;
   std::vector<int> free_blocks_;
+  std::vector<LooseBlocks> loose_;
   Equilibrium last_;
   long steps_ = 0;
   std::string stop_reason_;

@@ -29,7 +29,9 @@ struct Snapshot {
   std::vector<double> slip;               ///< [contact points] m, tangential relative displacement
   std::vector<double> normal_traction;    ///< [contact points] Pa, tension positive
   std::vector<double> shear_traction;     ///< [contact points] Pa, magnitude
-  std::vector<std::uint8_t> contact_state;  ///< [contact points] 0 intact, 1 cracked in tension, 2 cracked in shear
+  std::vector<std::uint8_t>
+      contact_state;  ///< [contact points] 0 intact, 1 cracked in tension, 2 cracked in shear, 3 softening
+  std::vector<double> contact_damage;  ///< [contact points] broken share of the bond
 };
 
 struct Progress {

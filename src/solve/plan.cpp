@@ -57,7 +57,8 @@ double shortest_time(Backend& backend, Piece piece) {
 int static_increments(const Problem& problem, const StaticSolve& solve) {
   constexpr int with_memory = 20;
   if (solve.increments > 0) return solve.increments;
-  return problem.backend->size(Field::history) > 0 ? with_memory : 1;
+  const Backend& backend = *problem.backend;
+  return backend.size(Field::history) > 0 || backend.size(Field::contact_damage) > 0 ? with_memory : 1;
 }
 
 std::vector<StagePlan> plan_stages(Problem& problem) {

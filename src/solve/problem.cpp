@@ -53,6 +53,8 @@ Setup Problem::setup() const {
   setup.reference_temperature = model.reference_temperature;
   for (const Stage& stage : model.stages)
     setup.motion = setup.motion || std::holds_alternative<DynamicSolve>(stage.solve);
+  for (const Condition& c : model.conditions)
+    setup.crack_water = setup.crack_water || std::holds_alternative<CrackWater>(c.kind);
   for (const Interface& i : model.interfaces) {
     const std::string what = std::string(i.crackable ? "crackable" : "joint") + " '" + i.name + "'";
     setup.interface_laws.push_back(interface_constants(i.law, i.values, i.where, what).law);
@@ -80,7 +82,9 @@ Setup Problem::heat_setup() const {
           .interface_laws = {},
           .conductivity = all.conductivity,
           .reference_temperature = all.reference_temperature,
-          .heat_only = true};
+          .heat_only = true,
+          .motion = false,
+          .crack_water = false};
 }
 
 std::vector<double> Problem::to_machine(const std::vector<double>& block_order, int width) const {

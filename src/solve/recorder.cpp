@@ -6,8 +6,9 @@
 
 #include "model/in_time.hpp"
 #include "model/loads.hpp"
-#include "solve/contact_states.hpp"
 #include "solve/block_state.hpp"
+#include "solve/contact_states.hpp"
+#include "solve/crack_events.hpp"
 #include "solve/stress_output.hpp"
 
 namespace ashlar {
@@ -15,6 +16,7 @@ namespace ashlar {
 namespace {
 
 constexpr const char* stress_components[6] = {"xx", "yy", "zz", "xy", "yz", "zx"};
+constexpr const char* dissipation_parts[] = {"plastic", "fracture", "opening", "shear", "friction"};
 constexpr const char* energy_parts[5] = {"kinetic", "strain", "dissipated", "external_work", "error"};
 constexpr const char* axes[3] = {"x", "y", "z"};
 
@@ -82,10 +84,13 @@ void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
         table.units.push_back("J");
       }
     } else if (!at_point && !on_surface && record == "dissipation") {
-      for (const char* part : {"plastic", "fracture"}) {
+      for (const char* part : dissipation_parts) {
         table.columns.push_back(record + "." + part);
         table.units.push_back("J");
       }
+    } else if (!at_point && !on_surface && record == "cracked_area") {
+      table.columns.push_back(record);
+      table.units.push_back("m^2");
     } else if (at_point && record == "temperature") {
       table.columns.push_back(record);
       table.units.push_back("degC");
@@ -105,9 +110,9 @@ void Recorder::add_columns(const Probe& probe, HistoryTable& table) const {
       throw DeckError(probe.history->where,
                       "history '" + probe.history->name + "': cannot record '" + record + "' " +
                           (at_point     ? "at a point; valid: displacement, velocity, temperature, stress, "
-                                         "nodal_stress, plastic_strain, damage"
+                                          "nodal_stress, plastic_strain, damage"
                            : on_surface ? "on a surface; valid: reaction, load, load_moment"
-                                        : "of the whole model; valid: energy, dissipation"));
+                                        : "of the whole model; valid: energy, dissipation, cracked_area"));
     }
   }
 }
@@ -178,7 +183,12 @@ void Recorder::add_values(const Probe& probe, std::vector<double>& row) {
       row.push_back(element_measure(problem_, Measure::damage)[probe.location.element]);
     } else if (record == "dissipation") {
       const BlockWork work = block_work(problem_);
-      row.insert(row.end(), {work.plastic, work.fracture});
+      const Dissipation<double>& lost = lost_by_contacts_;
+      row.insert(row.end(), {work.plastic, work.fracture, lost.opening, lost.shear, lost.friction});
+    } else if (record == "cracked_area") {
+      StageResult now;
+      CrackEvents(problem_).fill_areas(now);
+      row.push_back(now.cracked_area);
     } else if (record == "reaction") {
       // What the supports hold: internal force less load on held components.
       std::vector<double> support = problem_.to_blocks(backend.read(Field::force), 3);
@@ -229,7 +239,7 @@ void Recorder::snapshot(const Moment& moment) {
     s.damage = element_measure(problem_, Measure::damage);
     s.crack_normal = element_crack_normal(problem_);
   }
-  if (problem_.contacts.count() > 0) fill_contact_fields(ContactReader(problem_).read(), s);
+  if (problem_.contacts.count() > 0) fill_contact_fields(ContactReader(problem_).read(), problem_.contacts.opening, s);
   observer_.output(s);
 }
 

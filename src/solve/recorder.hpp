@@ -29,6 +29,8 @@ class Recorder {
   void surface_load(std::vector<double> load) { surface_load_ = std::move(load); }
   /// Temperature that stress sees and the thermal one, degC, [mesh nodes]; empty: the model has none.
   void temperature(std::vector<double> temperature) { temperature_ = std::move(temperature); }
+  /// J that contact points have lost since the run began.
+  void contact_dissipation(const Dissipation<double>& lost) { lost_by_contacts_ = lost; }
   /// Velocity [3 * block nodes] m/s, Blocks order, and energies of a motion; empty: at rest.
   void motion(std::vector<double> velocity, const EnergyBalance& energy) {
     velocity_ = std::move(velocity);
@@ -59,6 +61,7 @@ class Recorder {
   std::vector<HistoryTable> tables_;
   std::vector<double> reference_displacement_, surface_load_, temperature_, velocity_;
   EnergyBalance energy_;
+  Dissipation<double> lost_by_contacts_;  ///< J
   bool timed_ = false;  ///< rows begin with the seconds of dynamic and transient stages
 };
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/tensor.hpp"
+#include "physics/interface_laws/spring.hpp"
 
 /// What a run leaves for summaries, expects and studies. Small: scalars and history tables, no fields.
 namespace ashlar {
@@ -23,6 +23,7 @@ struct EnergyBalance {
   double kinetic = 0;
   double strain = 0;              ///< of blocks and springs, less the work of thermal strain
   double dissipated = 0;          ///< by damping, sliding and cracking since the stage began
+  Dissipation<double> contacts;   ///< the part of it that contact points took, by mode
   double external_work = 0;       ///< of the loads since the stage began
   double error = 0;               ///< what the sum has gained since the first step
   double drift = 0;               ///< largest error so far over the peak of kinetic energy, strain energy gained or work
@@ -45,6 +46,14 @@ struct LaneTimes {
   double both = 0;                ///< s of these at once
 };
 
+/// Blocks that hold each other, and that nothing else holds any more.
+struct LooseBlocks {
+  std::vector<int> blocks;  ///< Blocks numbering
+  std::string region;       ///< of the first of them
+  double volume = 0;        ///< m^3
+  Vec3<double> centre;      ///< m
+};
+
 struct PhaseTime {
   std::string phase;
   double seconds = 0;
@@ -65,7 +74,9 @@ struct StageResult {
   double cracked_area = 0;                             ///< m^2, all broken contact points at the stage's end
   std::map<std::string, double> cracked_area_by_direction;  ///< "horizontal" (normal within 30 deg of z), "vertical" (normal within 30 deg of the horizontal plane), "inclined"
   std::vector<int> free_blocks;                        ///< blocks that lost all contact, Blocks numbering
+  std::vector<LooseBlocks> loose;  ///< the same as connected bodies, in the order in which they came off
   double dissipated_energy = 0;                        ///< J, by sliding, cracking and what blocks lose; in dynamic stages also by damping
+  Dissipation<double> dissipated_by_contacts;          ///< J, the part of contact points, by mode
   double plastic_work = 0;                             ///< J, the part of plastic flow
   double fracture_work = 0;                            ///< J, the part of blocks that crack
   double safety_factor = 0;                            ///< strength reduction: the largest factor at which it stands

@@ -112,6 +112,7 @@ class Run {
     e("run.temperatures_at_end", temperatures_at_end_);
     e("run.plastic_work", block_work_.plastic);
     e("run.fracture_work", block_work_.fracture);
+    e("run.lost_by_contacts", lost_by_contacts_);
     e("run.balance_told", balance_told_);
     e("run.warming_used", warming_used_);
     recorder_.exchange(e);
@@ -119,7 +120,8 @@ class Run {
          {std::pair{Field::displacement, "displacement"}, std::pair{Field::velocity, "velocity"},
           std::pair{Field::load, "load"}, std::pair{Field::force, "force"}, std::pair{Field::fixed, "fixed"},
           std::pair{Field::warming, "warming"}, std::pair{Field::history, "history"}, std::pair{Field::slip, "slip"},
-          std::pair{Field::contact_state, "contact_state"}, std::pair{Field::temperature, "temperature"}})
+          std::pair{Field::contact_state, "contact_state"}, std::pair{Field::contact_damage, "contact_damage"},
+          std::pair{Field::crack_water, "crack_water"}, std::pair{Field::temperature, "temperature"}})
       exchange_field(e, name, *problem_.backend, field);
     if (e.taking()) problem_.backend->use_warming(warming_used_);
   }
@@ -173,6 +175,8 @@ class Run {
     outcome_.fracture_work = block_work_.fracture - before.fracture;
     outcome_.dissipated_energy += outcome_.plastic_work + outcome_.fracture_work;
 
+    lost_by_contacts_ = lost_by_contacts_ + outcome_.dissipated_by_contacts;
+    recorder_.contact_dissipation(lost_by_contacts_);
     record({stage_, stage_ + 1.0, outcome_.load_factor, true, outcome_.seconds, 0});
     if (after_record_) std::exchange(after_record_, nullptr)();
     outcome_.wall_seconds = std::chrono::duration<double>(Clock::now() - stage_start_).count();
@@ -238,6 +242,7 @@ class Run {
         mechanical_conditions(problem_, acting_conditions(problem_.model, stage_, time));
     backend.write(Field::load, problem_.to_machine(conditions.load, 3));
     backend.write(Field::fixed, problem_.to_machine(conditions.fixed, 1));
+    if (backend.size(Field::crack_water) > 0) backend.write(Field::crack_water, conditions.crack_water);
     if (!conditions.prescribed.empty()) {
       std::vector<double> u = problem_.to_blocks(backend.read(Field::displacement), 3);
       for (std::size_t i = 0; i < conditions.prescribed.size(); ++i)
@@ -318,13 +323,13 @@ class Run {
 
   /// Where a balance begins; loads, displacements and temperature go on from there in equal parts.
   struct Start {
-    std::vector<double> load, surface_load, force, displacement, temperature;
+    std::vector<double> load, surface_load, force, displacement, temperature, crack_water;
   };
   Start present() {
     Backend& backend = *problem_.backend;
     evaluate_force(backend);
-    return {backend.read(Field::load), surface_load_, backend.read(Field::force), backend.read(Field::displacement),
-            body_temperature_};
+    return {backend.read(Field::load),         surface_load_,     backend.read(Field::force),
+            backend.read(Field::displacement), body_temperature_, backend.read(Field::crack_water)};
   }
 
   void solve_stage(const StaticSolve& how) {
@@ -335,8 +340,9 @@ class Run {
     warm_body();
     FractureLinks links = set_up(how.relaxation);
     links.keep = [this](const Own& own) { offer_checkpoint(own); };
-    links.increment_reached = [this](double factor) {
+    links.increment_reached = [this](double factor, const Dissipation<double>& lost) {
       ++increment_;
+      recorder_.contact_dissipation(lost_by_contacts_ + lost);
       if (factor < 1) record({stage_, stage_ + factor, factor, false});
     };
     balance(start, links, increments_, outcome_);
@@ -361,7 +367,8 @@ class Run {
   /// that it takes away; so do the displacements that it prescribes, and temperature.
   void go_from(const Start& start, FractureLinks& links) {
     Backend& backend = *problem_.backend;
-    const Start end{backend.read(Field::load), surface_load_, {}, backend.read(Field::displacement), body_temperature_};
+    const Start end{backend.read(Field::load),         surface_load_,     {},
+                    backend.read(Field::displacement), body_temperature_, backend.read(Field::crack_water)};
     const std::vector<double> fixed = backend.read(Field::fixed);
     links.set_load_factor = [this, &backend, start, end, fixed](double factor) {
       const auto between = [&](double a, double b) { return factor < 1 ? a + factor * (b - a) : b; };
@@ -373,6 +380,9 @@ class Run {
       }
       backend.write(Field::load, load);
       backend.write(Field::displacement, displacement);
+      std::vector<double> water = end.crack_water;
+      for (std::size_t c = 0; c < water.size(); ++c) water[c] = between(start.crack_water[c], water[c]);
+      backend.write(Field::crack_water, water);
       std::vector<double> surface_load = end.surface_load;
       for (std::size_t i = 0; i < surface_load.size(); ++i)
         surface_load[i] = between(start.surface_load.empty() ? 0 : start.surface_load[i], surface_load[i]);
@@ -408,8 +418,9 @@ class Run {
     thermal_load_ = thermal_load_norm(*problem_.backend);
     set_load_factor(0);
     links.set_load_factor = set_load_factor;
-    links.increment_reached = [&](double factor) {
+    links.increment_reached = [&](double factor, const Dissipation<double>& lost) {
       ++increment_;
+      recorder_.contact_dissipation(lost_by_contacts_ + lost);
       if (factor < 1) record({stage_, stage_ + factor, factor, false});
     };
     links.keep = [this](const Own& own) { offer_checkpoint(own); };
@@ -427,7 +438,8 @@ class Run {
   using Body = std::map<Field, std::vector<double>>;
   Body body() {
     Body all;
-    for (const Field field : {Field::displacement, Field::slip, Field::contact_state, Field::history})
+    for (const Field field :
+         {Field::displacement, Field::slip, Field::contact_state, Field::contact_damage, Field::history})
       all[field] = problem_.backend->read(field);
     return all;
   }
@@ -507,6 +519,7 @@ class Run {
     };
     links.record = [&](int number, double seconds, const std::vector<double>& velocity, const EnergyBalance& energy) {
       recorder_.motion(problem_.to_blocks(velocity, 3), energy);
+      recorder_.contact_dissipation(lost_by_contacts_ + energy.contacts);
       if (changing) {
         const auto acting = acting_conditions(problem_.model, stage_, times.begin + seconds);
         recorder_.surface_load(mechanical_conditions(problem_, acting).surface_load);
@@ -523,6 +536,7 @@ class Run {
     move_in_time(problem_, stage(), moving, links, outcome_);
     result_.interrupted = result_.interrupted || outcome_.stop_reason == "interrupted";
     recorder_.motion(problem_.to_blocks(problem_.backend->read(Field::velocity), 3), outcome_.energy);
+    outcome_.dissipated_by_contacts = outcome_.energy.contacts;
   }
 
   // ------------------------------------------------------------------ heat
@@ -595,9 +609,15 @@ class Run {
     outcome_.cracked_area = part.cracked_area;
     outcome_.cracked_area_by_direction = part.cracked_area_by_direction;
     outcome_.dissipated_energy += part.dissipated_energy;
+    outcome_.dissipated_by_contacts = outcome_.dissipated_by_contacts + part.dissipated_by_contacts;
+    recorder_.contact_dissipation(lost_by_contacts_ + outcome_.dissipated_by_contacts);
+    const auto known = [this](int block) {
+      return std::find(outcome_.free_blocks.begin(), outcome_.free_blocks.end(), block) != outcome_.free_blocks.end();
+    };
+    for (const LooseBlocks& body : part.loose)
+      if (!known(body.blocks.front())) outcome_.loose.push_back(body);
     for (const int block : part.free_blocks)
-      if (std::find(outcome_.free_blocks.begin(), outcome_.free_blocks.end(), block) == outcome_.free_blocks.end())
-        outcome_.free_blocks.push_back(block);
+      if (!known(block)) outcome_.free_blocks.push_back(block);
     for (const CrackEvent& event : part.events) outcome_.events.push_back(in_time(event, seconds(event.load_factor)));
   }
   CrackEvent in_time(CrackEvent event, double seconds) const {
@@ -611,7 +631,7 @@ class Run {
     increments_ = static_cast<int>(times.size());
     const bool loads = loads_change(problem_.model, stage_), contacts = problem_.contacts.count() > 0;
     const bool on_path = how.increments > 1 || problem_.backend->size(Field::history) > 0 ||
-                         CrackEvents(problem_).breakable();
+                         CrackEvents(problem_).can_crack();
     FractureLinks balancing = links_for(how.relaxation);
     Start start = present();
     warm_body();
@@ -673,6 +693,7 @@ class Run {
   std::map<std::string, std::vector<double>> temperatures_at_end_;
   double thermal_load_ = 0;
   std::function<void()> after_record_;  ///< what a stage undoes once its results are written
+  Dissipation<double> lost_by_contacts_;  ///< J, up to the end of the last stage
   BlockWork block_work_;       ///< up to the end of the last stage
   double now_ = 0;             ///< s since the stage began, of the conditions that act
   double out_of_balance_ = 0;  ///< N, largest at the start of a relaxation of this balance

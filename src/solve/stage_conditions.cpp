@@ -1,5 +1,6 @@
 #include "solve/stage_conditions.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -35,7 +36,16 @@ void fix(const Problem& p, const Condition& condition, const Fix& f, const Surfa
   for (const Facet& facet : surface.facets) {
     const unsigned all = f.normal ? bits | (1u << normal_axis(p.model.mesh, facet, condition, surface)) : bits;
     for (const int n : facet_nodes(p.model.mesh, p.blocks.corners, facet))
-      out.fixed[n] = static_cast<double>(static_cast<unsigned>(out.fixed[n]) | all);
+      if (holds_at(condition, p.model.mesh.points[p.blocks.mesh_node[n]]))
+        out.fixed[n] = static_cast<double>(static_cast<unsigned>(out.fixed[n]) | all);
+  }
+}
+
+void fill_cracks(const Problem& p, const CrackWater& water, std::vector<double>& pressure) {
+  for (int c = 0; c < p.contacts.count(); ++c) {
+    const std::string& name = p.model.interfaces[p.contacts.interface[c]].name;
+    if (std::find(water.interfaces.begin(), water.interfaces.end(), name) == water.interfaces.end()) continue;
+    pressure[c] += std::max(0.0, water.density * water.gravity * (water.level - p.place_of_contact(c).z));
   }
 }
 
@@ -54,17 +64,20 @@ MechanicalConditions mechanical_conditions(const Problem& p, const std::vector<A
   add_loads(p.model, p.blocks.corners, acting, out.load);
   for (std::size_t i = 0; i < p.initial.force.size(); ++i) out.load[i] -= p.initial.force[i];
 
+  out.crack_water.assign(p.contacts.count(), 0);
   std::vector<ActingCondition> on_surfaces;
   std::map<int, double> prescribed;
   for (const ActingCondition& a : acting) {
     if (is_surface_load(*a.condition)) on_surfaces.push_back(a);
+    if (const auto* water = std::get_if<CrackWater>(&a.condition->kind)) fill_cracks(p, *water, out.crack_water);
     for (const Surface* surface : a.surfaces) {
       if (const auto* f = std::get_if<Fix>(&a.condition->kind)) fix(p, *a.condition, *f, *surface, out);
       if (const auto* d = std::get_if<Displacement>(&a.condition->kind)) {
         const std::optional<Value>* given[3] = {&d->x, &d->y, &d->z};
         for (const int n : surface_nodes(p.model.mesh, p.blocks.corners, *surface))
           for (int axis = 0; axis < 3; ++axis)
-            if (*given[axis]) prescribed[3 * n + axis] = (**given[axis])(p.model.mesh.points[p.blocks.mesh_node[n]]);
+            if (*given[axis] && holds_at(*a.condition, p.model.mesh.points[p.blocks.mesh_node[n]]))
+              prescribed[3 * n + axis] = (**given[axis])(p.model.mesh.points[p.blocks.mesh_node[n]]);
       }
     }
   }

@@ -10,6 +10,7 @@ struct MechanicalConditions {
   std::vector<double> load;          ///< [3 * block nodes] N, all of it, less the internal force of the initial stress
   std::vector<double> surface_load;  ///< [3 * block nodes] N, loads spread over surfaces only
   std::vector<double> fixed;         ///< [block nodes] bits 0 1 2: x y z held
+  std::vector<double> crack_water;   ///< [contact points] Pa, of water where they are open
   std::vector<int> prescribed;       ///< components 3 * node + axis whose displacement is given
   std::vector<double> displacement;  ///< m, parallel to prescribed
 };

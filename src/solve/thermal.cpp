@@ -47,7 +47,8 @@ std::vector<double> set_boundary(const Problem& problem, Backend& backend, const
   backend.write(Field::held, held);
   backend.write(Field::temperature, temperature);
   backend.write(Field::heat, to_machine(problem, boundary.heat));
-  backend.write_films(film_matrix(boundary.films, new_node));
+  backend.write_films(
+      film_matrix(boundary.films, heat_links(problem.model, problem.blocks, problem.contacts), new_node));
   backend.run(Phase::heat_bound);
   return held;
 }

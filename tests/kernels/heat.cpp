@@ -131,7 +131,7 @@ FilmMatrix film_on_top(const Lane& lane, double film) {
   air.kind = Convection{{0, {}}, film, {}, {}};
   const ThermalBoundary b = thermal_boundary(lane.mesh, lane.mesh.corners, lane.mesh.node_count(),
                                              std::vector<ActingCondition>{{&air, {lane.mesh.find_surface("top")}}});
-  return film_matrix(b.films, lane.d.heat.new_node);
+  return film_matrix(b.films, {}, lane.d.heat.new_node);
 }
 
 class HeatOnShape : public testing::TestWithParam<Shape> {};

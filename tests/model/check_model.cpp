@@ -17,7 +17,7 @@ Model column(std::vector<Condition> conditions) {
   return model;
 }
 
-Condition fix(const std::string& surface, Fix held) { return {"fix", surface, {}, {surface}, held, true}; }
+Condition fix(const std::string& surface, Fix held) { return {"fix", surface, {}, {surface}, held, {}, true}; }
 
 std::vector<LooseBody> loose(const Model& model, int stage = 0) {
   return loose_bodies(model, split_blocks(model, find_faces(model.mesh)), stage);
@@ -43,7 +43,7 @@ TEST(LooseBodies, WithoutSupportsEverythingIsFree) {
 }
 
 TEST(LooseBodies, GivenDisplacementsHoldToo) {
-  Condition moved{"displacement", "lift", {}, {"bottom"}, Displacement{{}, {}, Value{}}, true};
+  Condition moved{"displacement", "lift", {}, {"bottom"}, Displacement{{}, {}, Value{}}, {}, true};
   const auto free = loose(column({moved, fix("left", {false, true, false, false})}));
   ASSERT_EQ(free.size(), 1u);
   EXPECT_EQ(free[0].movement, "along x");
@@ -97,7 +97,7 @@ TEST(CheckModel, ARegionHasExactlyOneMaterial) {
 TEST(CheckModel, FractureTakesTemperaturesFromEarlierThermalStages) {
   Model model = column({fix("bottom", {true, true, true, false})});
   model.materials[0].conductivity = 2.6;
-  model.conditions.push_back({"fixed_temperature", "air", {}, {"top"}, FixedTemperature{}, true});
+  model.conditions.push_back({"fixed_temperature", "air", {}, {"top"}, FixedTemperature{}, {}, true});
   model.stages = {{"winter", {}, {}, {}, ThermalSolve{true}, false},
                   {"cracks", {}, {}, {}, FractureSolve{"", "winter"}, false}};
   EXPECT_EQ(complaint(model), "");
@@ -106,7 +106,7 @@ TEST(CheckModel, FractureTakesTemperaturesFromEarlierThermalStages) {
 }
 
 TEST(CheckModel, SteadyHeatNeedsATemperature) {
-  Model model = column({{"flux", "sun", {}, {"top"}, Flux{Value{20}}, true}});
+  Model model = column({{"flux", "sun", {}, {"top"}, Flux{Value{20}}, {}, true}});
   model.materials[0].conductivity = 2.6;
   model.stages = {{"summer", {}, {}, {}, ThermalSolve{true}, false}};
   EXPECT_EQ(complaint(model), "stage 'summer': a steady state needs a fixed_temperature or a convection");

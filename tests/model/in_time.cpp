@@ -20,7 +20,7 @@ Stage heated(const char* name, double duration) {
 Model two_heated_stages() {
   Model m;
   m.stages = {heated("first", 100), heated("second", 300)};
-  m.conditions = {{"flux", "sun", {}, {"top"}, Flux{}, true}};
+  m.conditions = {{"flux", "sun", {}, {"top"}, Flux{}, {}, true}};
   return m;
 }
 

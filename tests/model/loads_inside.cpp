@@ -93,7 +93,7 @@ Mesh two_regions() {
 }
 
 Condition heat_source(const char* name, std::vector<std::string> regions, double value) {
-  return {"heat_source", name, {}, {}, HeatSource{{value, {}}, std::move(regions)}, true};
+  return {"heat_source", name, {}, {}, HeatSource{{value, {}}, std::move(regions)}, {}, true};
 }
 
 double heat_of(const Model& model, int stage) {
@@ -117,7 +117,7 @@ TEST(PointLoad, a_later_stage_replaces_the_load_at_the_same_place_only) {
   Model model;
   model.mesh = two_regions();
   const auto load = [](const char* name, double z, double force) {
-    return Condition{"point_load", name, {}, {}, PointLoad{{0.5, 0.5, z}, {force, 0, 0}}, true};
+    return Condition{"point_load", name, {}, {}, PointLoad{{0.5, 0.5, z}, {force, 0, 0}}, {}, true};
   };
   model.conditions = {load("low", 1, 5), load("high", 2, 7), load("more", 2, 70)};
   model.conditions[2].everywhere = false;

@@ -15,7 +15,7 @@
 namespace ashlar {
 namespace {
 
-enum class Blocks { continuous, mixed, plastic, breaking, jointed, unmatched, exploded, cracked };
+enum class Blocks { continuous, mixed, plastic, breaking, jointed, unmatched, softening, exploded, cracked };
 
 Condition condition(const char* noun, const char* surface, Condition::Kind kind) {
   Condition c;
@@ -118,9 +118,14 @@ Model dam(const char* file, Blocks blocks) {
     i.name = "all";
     i.crackable = blocks != Blocks::unmatched;
     i.regions = {"rock", "concrete"};
-    i.law = blocks == Blocks::cracked ? "frictional" : "brittle";
+    i.law = blocks == Blocks::cracked ? "frictional" : blocks == Blocks::softening ? "softening" : "brittle";
     i.values = {{"friction", 0.7}};
-    if (blocks != Blocks::cracked) {
+    if (blocks == Blocks::softening) {
+      i.values.merge(std::map<std::string, double>{
+          {"tensile_strength", 1e4}, {"cohesion", 2e4}, {"fracture_energy", 1}, {"shear_fracture_energy", 3}});
+      i.scatter = {Scatter::Kind::weibull, 0.2, 4};
+      m.conditions.push_back(condition("crack_water", nullptr, CrackWater{{"all"}, 55}));
+    } else if (blocks != Blocks::cracked) {
       i.values["tensile_strength"] = 1e6;
       i.values["cohesion"] = 2e6;
     }
@@ -163,6 +168,7 @@ Outcome march(const Problem& p, Backend& b, int steps) {
   const MechanicalConditions conditions = mechanical_conditions(p, 0);
   b.write(Field::load, p.to_machine(conditions.load, 3));
   b.write(Field::fixed, p.to_machine(conditions.fixed, 1));
+  if (b.size(Field::crack_water) > 0) b.write(Field::crack_water, conditions.crack_water);
   set_virtual_mass(p, b, {});
   out.stiffness = b.read(Field::stiffness);
 
@@ -232,6 +238,7 @@ std::vector<double> move(const Problem& p, Backend& b, int steps) {
   const MechanicalConditions conditions = mechanical_conditions(p, 0);
   b.write(Field::load, p.to_machine(conditions.load, 3));
   b.write(Field::fixed, p.to_machine(conditions.fixed, 1));
+  if (b.size(Field::crack_water) > 0) b.write(Field::crack_water, conditions.crack_water);
   b.run(Phase::stiffness_bound);
   std::vector<double> inverse_mass = b.read(Field::stiffness);
   for (double& m : inverse_mass) m = 1 / (1e-6 * m);  // a stable step of 2e-3 s without springs
@@ -254,7 +261,7 @@ std::vector<double> move(const Problem& p, Backend& b, int steps) {
   }
   std::vector<double> all{m.kinetic, m.potential, m.rest_work, m.supplied, m.damped};
   for (const Field f : {Field::displacement, Field::velocity, Field::force, Field::slip, Field::contact_state,
-                        Field::spring_dissipation})
+                        Field::contact_damage, Field::spring_dissipation})
     for (const double value : b.read(f)) all.push_back(value);
   return all;
 }
@@ -264,6 +271,7 @@ std::vector<double> relax(const Problem& p, Backend& b, int steps) {
   const MechanicalConditions conditions = mechanical_conditions(p, 0);
   b.write(Field::load, p.to_machine(conditions.load, 3));
   b.write(Field::fixed, p.to_machine(conditions.fixed, 1));
+  if (b.size(Field::crack_water) > 0) b.write(Field::crack_water, conditions.crack_water);
   set_virtual_mass(p, b, {});
   Controls controls;
   controls.local_damping = 0.05;
@@ -354,6 +362,7 @@ std::string case_name(const testing::TestParamInfo<Parity::ParamType>& info) {
           : blocks == Blocks::breaking  ? "_breaking"
           : blocks == Blocks::jointed   ? "_jointed"
           : blocks == Blocks::unmatched ? "_unmatched"
+          : blocks == Blocks::softening ? "_softening"
           : blocks == Blocks::exploded  ? "_exploded"
                                         : "_sliding";
   name += std::string(file).find("r2") != std::string::npos ? "_r2" : "_r1";
@@ -369,7 +378,7 @@ INSTANTIATE_TEST_SUITE_P(DamD0, Parity,
 INSTANTIATE_TEST_SUITE_P(OtherD0, Parity,
                          testing::Combine(testing::Values(Precision::double_precision, Precision::single_precision),
                                           testing::Values(Blocks::mixed, Blocks::plastic, Blocks::breaking,
-                                                          Blocks::jointed, Blocks::unmatched),
+                                                          Blocks::jointed, Blocks::unmatched, Blocks::softening),
                                           testing::Values("dam_D0_r1_ny2.msh")),
                          case_name);
 

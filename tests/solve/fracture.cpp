@@ -62,7 +62,7 @@ TEST(fracture, P39_a_cooled_bar_cracks_at_its_tensile_strength) {
   auto links = fixed_bar.links();
   links.set_load_factor = [&](double factor) { fixed_bar.warm(factor * cooling); };
   std::vector<double> increments;
-  links.increment_reached = [&](double factor) { increments.push_back(factor); };
+  links.increment_reached = [&](double factor, const Dissipation<double>&) { increments.push_back(factor); };
   Fracture stage(fixed_bar.problem(), links, 100);
   ASSERT_TRUE(stage.advance(10)) << stage.stop_reason();
 

@@ -18,6 +18,7 @@ bool prepared(const std::string& name, const std::map<std::string, double>& valu
   if (name != Law::name) return false;
   const auto law = make_law<Law>(values);
   constants = {law.prepare(where, what), law};
+  if constexpr (requires { law.stiffness_ratio(); }) constants.stiffness_ratio = law.stiffness_ratio();
   return true;
 }
 

@@ -3,28 +3,41 @@
 
 #include "base/key.hpp"
 #include "base/tensor.hpp"
+#include "physics/softening.hpp"
 
 /// One spring of an interface, pointwise: traction from the relative displacement of its two sides, and how near it is
 /// to cracking (numerics 5). Tension and opening are positive; the normal points from side a to side b; gap = u_b -
 /// u_a.
 namespace ashlar {
 
-/// State of a contact point, as results show it.
-enum class ContactState : std::uint8_t { intact = 0, cracked_in_tension = 1, cracked_in_shear = 2 };
+/// State of a contact point, as results show it. Softening: part of its bond is gone.
+enum class ContactState : std::uint8_t { intact = 0, cracked_in_tension = 1, cracked_in_shear = 2, softening = 3 };
+ASHLAR_HD bool is_cracked(ContactState s) {
+  return s == ContactState::cracked_in_tension || s == ContactState::cracked_in_shear;
+}
 
 /// What an interface law is to a spring. All laws share this form:
-/// elastic is bonded and cannot break, brittle is bonded and can, frictional was never bonded.
+/// elastic is bonded and cannot break, brittle is bonded and can, frictional was never bonded, softening loses its bond
+/// bit by bit.
 template <class Real>
 struct SpringLaw {
   Real tensile_strength = 0;  ///< Pa
   Real cohesion = 0;          ///< Pa
   Real tan_friction = 0;      ///< of the bond's shear strength and of sliding after it has cracked
   bool bonded = false;        ///< intact contact points carry tension, and shear without sliding
-  bool breakable = false;
+  bool breakable = false;     ///< at once, at an equilibrium
+  Real fracture_energy = 0;   ///< J/m^2 that opening takes; 0: it does not soften
 
   template <class Other>
   SpringLaw<Other> as() const {
-    return {Other(tensile_strength), Other(cohesion), Other(tan_friction), bonded, breakable};
+    return {Other(tensile_strength), Other(cohesion), Other(tan_friction), bonded, breakable, Other(fracture_energy)};
+  }
+  /// The law with `share` of its strength, of the bond alone.
+  ASHLAR_HD SpringLaw with_strength(Real share) const {
+    SpringLaw law = *this;
+    law.tensile_strength = share * tensile_strength;
+    law.cohesion = share * cohesion;
+    return law;
   }
   /// The law with its strength divided by `factor`.
   SpringLaw weakened(double factor) const {
@@ -36,6 +49,7 @@ struct SpringLaw {
   }
   ASHLAR_HD bool holds(ContactState state) const { return bonded && state == ContactState::intact; }
   ASHLAR_HD bool can_break(ContactState state) const { return breakable && state == ContactState::intact; }
+  ASHLAR_HD bool softens() const { return fracture_energy > Real(0); }
 };
 
 /// Pa/m.
@@ -66,6 +80,28 @@ template <class Real>
 struct SpringAnswer {
   Split<Real> traction;
   Vec3<Real> slip;  ///< m, tangential relative displacement without elastic part
+  Real damage = 0;  ///< share without a bond
+};
+
+/// Energy that contact points have lost, J/m^2 or J: of their bond by opening and by shear, and by rubbing.
+template <class Real>
+struct Dissipation {
+  Real opening = 0, shear = 0, friction = 0;
+  Real sum() const { return opening + shear + friction; }
+  Dissipation operator+(const Dissipation& other) const {
+    return {opening + other.opening, shear + other.shear, friction + other.friction};
+  }
+};
+inline Dissipation<double> operator*(double area, const Dissipation<double>& d) {
+  return {area * d.opening, area * d.shear, area * d.friction};
+}
+
+/// The same of a softening spring; slip is that of its broken share.
+template <class Real>
+struct SofteningAnswer : SpringAnswer<Real> {
+  Vec3<Real> rubbing;      ///< Pa, what friction on the broken share adds to the shear traction
+  Dissipation<Real> lost;  ///< on the way here
+  ContactState state = ContactState::intact;
 };
 
 /// Bonded: t_n = k_n g_n, t_s = k_s (g_s - slip). Otherwise an open contact carries nothing and forgets its shear (slip
@@ -76,14 +112,62 @@ template <class Real>
 ASHLAR_HD SpringAnswer<Real> spring_traction(bool bonded, Real tan_friction, const SpringStiffness<Real>& stiffness,
                                              const Split<Real>& gap, const Vec3<Real>& slip) {
   const Real normal = stiffness.normal * gap.normal;
-  if (!bonded && gap.normal > Real(0)) return {{Real(0), {}}, gap.shear};
+  if (!bonded && gap.normal > Real(0)) return {{Real(0), {}}, gap.shear, Real(1)};
   const Vec3<Real> trial = stiffness.shear * (gap.shear - slip);
-  if (bonded) return {{normal, trial}, slip};
+  if (bonded) return {{normal, trial}, slip, Real(0)};
   const Real limit = -normal * tan_friction, size = norm(trial);
-  if (size <= limit) return {{normal, trial}, slip};
+  if (size <= limit) return {{normal, trial}, slip, Real(1)};
   const Real keep = limit / size;  // size > limit >= 0
   const Real slid = (Real(1) - keep) / stiffness.shear;
-  return {{normal, keep * trial}, slip + slid * trial};
+  return {{normal, keep * trial}, slip + slid * trial, Real(1)};
+}
+
+/// Softening (numerics 5): the unbroken share carries k_n g_n and k_s g_s, the broken one nothing where open and
+/// friction where closed, without slip when it breaks; pressure is carried in full (Alfano & Sacco 2006). With s^2 =
+/// (t_n / T)^2 +
+/// ((|t_s| - friction) / c)^2 of the unbroken share, traction falls linearly in s from s = 1 to s = R = 2 k_n G_I /
+/// T^2, which costs G_I in opening and G_II = G_I (k_n / T^2) / (k_s / c^2) in shear, and their mean by share of s^2
+/// between: R is the same for every mixture, so no path costs more or less (Turon et al. 2010). `damage`, `slip`,
+/// `state`: of the last kept equilibrium, one straight step away.
+template <class Real>
+ASHLAR_HD SofteningAnswer<Real> softening_traction(const SpringLaw<Real>& law, const SpringStiffness<Real>& stiffness,
+                                                   const Split<Real>& gap, const Vec3<Real>& slip, Real damage,
+                                                   ContactState state) {
+  const bool open = gap.normal > Real(0);
+  const Real normal = stiffness.normal * gap.normal;
+  const Vec3<Real> along = stiffness.shear * gap.shear;
+  const Real friction = open ? Real(0) : -normal * law.tan_friction;
+  const Real opens = open ? normal / law.tensile_strength : Real(0);
+  const Real slides = larger(norm(along) - friction, Real(0)) / law.cohesion;
+  const Real square = fma(opens, opens, slides * slides);
+  const Softening<Real> softening(Real(2) * law.fracture_energy / law.tensile_strength *
+                                  (stiffness.normal / law.tensile_strength));
+
+  SofteningAnswer<Real> answer;
+  answer.damage = larger(damage, softening.damage(root(square)));
+  answer.state = state;
+  if (answer.damage > Real(0) && !is_cracked(state))
+    answer.state = answer.damage < Real(1) ? ContactState::softening
+                   : opens < slides        ? ContactState::cracked_in_shear
+                                           : ContactState::cracked_in_tension;
+  const Real whole = Real(1) - answer.damage;
+  answer.traction = {open ? whole * normal : normal, whole * along};
+  answer.slip = gap.shear;
+  if (!open) {
+    const Vec3<Real> brought = answer.damage > Real(0) ? (damage / answer.damage) * slip : Vec3<Real>{};
+    const Vec3<Real> trial = along - stiffness.shear * brought;
+    const Real size = norm(trial), kept = size > friction ? friction / size : Real(1);
+    answer.rubbing = (answer.damage * kept) * trial;
+    answer.slip = brought + ((Real(1) - kept) / stiffness.shear) * trial;
+    answer.traction.shear = answer.traction.shear + answer.rubbing;
+    answer.lost.friction = dot(answer.rubbing, answer.slip - brought);
+  }
+  if (answer.damage > damage) {
+    const Real gone = (softening.released(answer.damage) - softening.released(damage)) / square;
+    answer.lost.opening = gone * opens * opens * law.tensile_strength * (law.tensile_strength / stiffness.normal);
+    answer.lost.shear = gone * slides * slides * law.cohesion * (law.cohesion / stiffness.shear);
+  }
+  return answer;
 }
 
 /// How much of the strength a bonded contact uses; it cracks at 1.

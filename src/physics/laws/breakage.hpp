@@ -1,8 +1,9 @@
 #pragma once
 #include <limits>
 
-#include "physics/laws/softening.hpp"
+#include "physics/laws/plastic.hpp"
 #include "physics/principal.hpp"
+#include "physics/softening.hpp"
 
 namespace ashlar {
 

@@ -1,6 +1,7 @@
 #pragma once
-#include "physics/laws/softening.hpp"
+#include "physics/laws/plastic.hpp"
 #include "physics/principal.hpp"
+#include "physics/softening.hpp"
 
 namespace ashlar {
 

@@ -1,7 +1,7 @@
 #pragma once
-#include "physics/laws/plastic.hpp"
+#include "base/number.hpp"
 
-/// What laws share that lose their strength by cracking.
+/// What laws of blocks and of interfaces share that lose their strength by cracking.
 namespace ashlar {
 
 /// Linear softening of a point, in units of the strength and of the strain at which it is reached: 1 - damage times
@@ -23,7 +23,8 @@ struct Softening {
   }
 };
 
-/// Where softening ends: what Softening takes as ratio, times the length of the element across the crack.
+/// Where softening ends: what Softening takes as ratio, times the length of the element across the crack (of blocks,
+/// from a modulus), or that ratio itself (of interfaces, from a stiffness per area).
 inline double softening_length(double modulus, double energy, double strength) {
   return 2 * modulus * energy / (strength * strength);
 }

@@ -1,0 +1,47 @@
+#include "model/contact/heat_links.hpp"
+
+#include <algorithm>
+
+#include "model/check_mesh.hpp"
+#include "model/conditions.hpp"
+
+namespace ashlar {
+
+std::vector<HeatLink> heat_links(const Model& model, const Blocks& blocks, const ContactPoints& contacts) {
+  constexpr double better = 10;  // than half of the elements beside it: hardly felt, and time steps stay long
+  const Mesh& mesh = model.mesh;
+  const std::vector<const Material*> materials = materials_by_region(model);
+  const auto conductivity = [&](const Facet& f) { return materials[mesh.regions[f.element]]->conductivity.value_or(0); };
+  const auto half_height = [&](const Facet& f) {
+    return element_volume(mesh, f.element) / (2 * norm(mesh.facet_area(f)));
+  };
+
+  std::vector<HeatLink> links;
+  std::vector<char> used(model.interfaces.size(), 0);
+  for (int c = 0; c < contacts.count(); ++c) {
+    HeatLink link;
+    contacts.each_end(c, [&](int node, double weight) {
+      link.nodes.push_back(blocks.mesh_node[node]);
+      link.weights.push_back(weight);
+    });
+    if (link.nodes.size() == 2 && link.nodes[0] == link.nodes[1]) continue;
+    used[contacts.interface[c]] = 1;
+    const double given = model.interfaces[contacts.interface[c]].conductance;
+    const InterfaceFace& face = blocks.faces[contacts.face[c]];
+    const double own = better * std::min(conductivity(face.a), conductivity(face.b)) /
+                       (half_height(face.a) + half_height(face.b));
+    link.conductance = contacts.area[c] * (given > 0 ? given : own);
+    links.push_back(std::move(link));
+  }
+  Complaints complaints;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (model.interfaces[i].conductance > 0 && !used[i])
+      complaints.add(model.interfaces[i].where,
+                     "joint '" + model.interfaces[i].name +
+                         "': 'conductance' has no effect, because its faces share their nodes and conduct as one body; "
+                         "leave it out");
+  complaints.raise();
+  return links;
+}
+
+}  // namespace ashlar

@@ -1,0 +1,21 @@
+#pragma once
+#include <vector>
+
+#include "model/blocks.hpp"
+
+namespace ashlar {
+
+/// A contact point through which heat passes: conductance * (sum of weight times temperature) leaves node i weight[i]
+/// times.
+struct HeatLink {
+  std::vector<int> nodes;       ///< of the mesh
+  std::vector<double> weights;  ///< they sum to zero
+  double conductance = 0;       ///< W/K
+};
+
+/// Of contact points whose sides have no mesh node in common; what shares its nodes conducts as one body. By the joint's
+/// conductance, or so well that half an element beside it resists ten times more. Throws DeckError: a conductance given
+/// where all faces share their nodes.
+std::vector<HeatLink> heat_links(const Model& model, const Blocks& blocks, const ContactPoints& contacts);
+
+}  // namespace ashlar
