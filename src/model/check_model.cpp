@@ -46,6 +46,7 @@ class ModelCheck {
     complaints_.raise();
     // What follows needs every name to be right.
     idle_conditions();
+    cracks_in_motion();
     functions();
     block_lengths();
     supports();
@@ -320,6 +321,20 @@ class ModelCheck {
     if (std::holds_alternative<InitialTemperature>(c.kind) || std::holds_alternative<TemperatureField>(c.kind))
       return true;
     return gives_heat(c) ? is_thermal(stage) : is_mechanical(stage);
+  }
+
+  /// Water in cracks keeps its level in motion.
+  void cracks_in_motion() {
+    const std::vector<StageTimes> times = stage_times(model_);
+    for (std::size_t s = 0; s < model_.stages.size(); ++s) {
+      if (!std::holds_alternative<DynamicSolve>(model_.stages[s].solve)) continue;
+      for (const ActingCondition& a : acting_conditions(model_, static_cast<int>(s)))
+        for (const InTime& number : a.condition->in_time)
+          if (std::holds_alternative<CrackWater>(a.condition->kind) && changes(number.table, times[s]))
+            complaints_.add(a.condition->where, title(a.condition->noun, a.condition->name) + ": '" + number.key +
+                                                    "' changes during the dynamic stage '" + model_.stages[s].name +
+                                                    "'; in cracks a level stays in motion");
+    }
   }
 
   /// Asks every function of position once, those of time too at the start and the end: most mistakes show at once.
