@@ -152,8 +152,8 @@ struct HeatMarch::BoundaryInTime {
       : heat(problem.model, stage, backend, Field::heat,
              [&](const auto& acting) { return to_machine(problem, boundary_of(problem, acting).heat); }),
         film(problem.model, stage, backend, Field::film,
-             [&](const auto& acting) {
-               return film_matrix(boundary_of(problem, acting).films, problem.discretisation.heat.new_node).value;
+             [&, links = heat_links(problem.model, problem.blocks, problem.contacts)](const auto& acting) {
+               return film_matrix(boundary_of(problem, acting).films, links, problem.discretisation.heat.new_node).value;
              }),
         given(problem.model, stage, backend, Field::given_temperature,
               [&](const auto& acting) {
