@@ -40,9 +40,9 @@ output "all" { every = 1, record = { "displacement", "stress", "temperature", "o
 HEAT = """
 stage "rest" { solve = static { tolerance = 1e-6 }, reset_displacement = true }
 stage "warm" { apply = { fixed_temperature { surface = "sides", value = 40*degC } },
-  solve = thermal { duration = args.duration * 7200*s, record_every = 60*s } }
+  solve = thermal { duration = args.duration * 28800*s, record_every = 60*s } }
 stage "cold" { apply = { fixed_temperature { surface = "sides", value = in_time(function(t) return -20 + t / 3600 end) } },
-  solve = thermal { duration = args.duration * 7200*s, record_every = 60*s } }
+  solve = thermal { duration = args.duration * 28800*s, record_every = 60*s } }
 """
 CRACKS = """
 stage "rest" { solve = static { tolerance = 1e-6 } }
@@ -103,7 +103,7 @@ class Resume(unittest.TestCase):
             return None
 
     def kill_within(self, run, stage, rows, *words):
-        """Starts a run and kills it once there is a checkpoint within a stage, and so many history rows."""
+        """Starts a run and kills it once there is a checkpoint within a stage, and so many history rows; or soon after."""
         program = self.start(*words, *OFTEN)
         while (found := self.within(run)) is None or found < (stage, rows):
             self.assertIsNone(program.poll(), "the run came to its end")
@@ -111,7 +111,7 @@ class Resume(unittest.TestCase):
         program.kill()
         program.wait()
         found = self.within(run)
-        self.assertTrue(found is None or found[0] == stage)
+        self.assertTrue(found is None or found[0] >= stage)
 
     def read_all(self, run):
         """Reads every dataset of every result file; how many outputs there are."""
