@@ -303,7 +303,7 @@ class Phases final : public Backend {
     const std::size_t groups = contacts > 0 ? vector + nodes * (sizeof(Real) + 3 * sizeof(int)) + sizeof(int) : 0;
     const std::size_t search = 5 * vector + 2 * nodes * sizeof(int) + 3 * contacts * sizeof(Real) +
                                setup.discretisation.patch_count() * (rigid_modes * sizeof(double) + sizeof(int)) + sizeof(int);
-    const std::size_t motion = setup.motion ? vector + (2 * nodes + contacts) * sizeof(double) : 0;
+    const std::size_t motion = setup.motion ? vector + (2 * nodes + 3 * contacts) * sizeof(double) : 0;
     return groups + search + motion;
   }
   int node_count() const { return body_.nodes.node_count; }

@@ -15,19 +15,25 @@ namespace {
 using Triplets = std::vector<Eigen::Triplet<double>>;
 using Block = std::array<double, rigid_modes * rigid_modes>;  ///< between the movements of two aggregates
 
+/// More of them would cost more in the solver of the coarse space, which is the host's, than they save in iterations.
+constexpr int most_aggregates = 1500;
+
+/// Patches, in large models several that follow each other.
 NodeAggregates patch_aggregates(const Discretisation& d) {
   const Topology& t = d.blocks;
+  const int together = std::max(1, (d.patch_count() + most_aggregates - 1) / most_aggregates);
+  const int count = (d.patch_count() + together - 1) / together;
   NodeAggregates a;
   a.aggregate.assign(t.node_count, -1);
   for (int p = 0; p < d.patch_count(); ++p)
     for (int e = t.patch_first_entry[p]; e < t.patch_first_entry[p + 1]; ++e)
-      if (a.aggregate[t.entry_node[e]] < 0) a.aggregate[t.entry_node[e]] = p;
-  std::vector<int> size(d.patch_count() + 1);
+      if (a.aggregate[t.entry_node[e]] < 0) a.aggregate[t.entry_node[e]] = p / together;
+  std::vector<int> size(count + 1);
   for (const int p : a.aggregate) ++size[p + 1];
-  for (int p = 0; p < d.patch_count(); ++p) size[p + 1] += size[p];
+  for (int p = 0; p < count; ++p) size[p + 1] += size[p];
   a.first = size;
   a.member.resize(t.node_count);
-  a.centre.assign(3 * static_cast<std::size_t>(d.patch_count()), 0);
+  a.centre.assign(3 * static_cast<std::size_t>(count), 0);
   for (int n = 0; n < t.node_count; ++n) a.member[size[a.aggregate[n]]++] = n;
   for (int n = 0; n < t.node_count; ++n) {
     const int p = a.aggregate[n];
