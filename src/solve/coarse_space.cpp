@@ -176,7 +176,7 @@ CoarseSpace::CoarseSpace(const Problem& problem, const std::vector<double>& fixe
   Assembly assembly(problem, aggregates_, fixed);
   assembly.add_elements();
   assembly.add_springs();
-  const int size = rigid_modes * problem.discretisation.patch_count();
+  const int size = rigid_modes * (static_cast<int>(aggregates_.first.size()) - 1);
   Eigen::SparseMatrix<double> matrix(size, size);
   const Triplets triplets = assembly.triplets();
   matrix.setFromTriplets(triplets.begin(), triplets.end());
