@@ -53,41 +53,7 @@ class Phases final : public Backend {
         heat_(setup) {
     const Discretisation& d = setup.discretisation;
     exec_.template set_patches<Real>(d);
-    if (setup.heat_only) return;
-    if constexpr (Exec::marches) exec_.set_clusters(springs_.clusters());
-    const std::size_t nodes = d.blocks.node_count;
-    x_.assign(places_in_patches<Real>(d.blocks, d.block_points));
-    for (auto* a : {&v_, &load_, &force_, &kept_force_}) a->resize(3 * nodes);
-    for (auto* a : {&u_, &u_before_}) a->resize(3 * nodes);
-    inverse_mass_.resize(nodes);
-    stiffness_.resize(nodes);
-    fixed_.resize(nodes);
-    corner_force_.resize(3 * std::size_t(d.slot_count));
-    partial_.resize(3 * std::size_t(d.blocks.entry_count()));
-    warming_.resize(d.gauss_count);
-    stress_.resize(6 * std::size_t(d.gauss_count));
-    int remembered = 0;
-    for (const BlockLaw& law : laws_) remembered = std::max(remembered, history_size(law));
-    history_.resize(remembered * std::size_t(first_history_.back()));
-    groups_.group_count = static_cast<int>(nodes);
-    damping_.assign({last_damping_});
-    body_ = {.nodes = blocks_.view(),
-             .x = x_.data(),
-             .u = u_.view(),
-             .v = v_.data(),
-             .load = load_.data(),
-             .force = force_.data(),
-             .kept_force = kept_force_.data(),
-             .inverse_mass = inverse_mass_.data(),
-             .fixed = fixed_.data(),
-             .corner_force = corner_force_.data(),
-             .partial = partial_.data(),
-             .warming = warming_.data(),
-             .stress = stress_.data(),
-             .history = history_.data(),
-             .history_stride = first_history_.back(),
-             .corner_gradient = nullptr};
-    find_gradients();
+    if (!setup.heat_only) make_body(setup);
     own_bytes_ = MachineMemory::bytes - own_bytes_;
     stage_bytes_ = stage_bytes(setup);
   }
@@ -294,6 +260,44 @@ class Phases final : public Backend {
  private:
   template <class T>
   using Array = typename Exec::template Array<T>;
+  /// What the stress lane works on.
+  void make_body(const Setup& setup) {
+    const Discretisation& d = setup.discretisation;
+    if constexpr (Exec::marches) exec_.set_clusters(springs_.clusters());
+    const std::size_t nodes = d.blocks.node_count;
+    x_.assign(places_in_patches<Real>(d.blocks, d.block_points));
+    for (auto* a : {&v_, &load_, &force_, &kept_force_}) a->resize(3 * nodes);
+    for (auto* a : {&u_, &u_before_}) a->resize(3 * nodes);
+    inverse_mass_.resize(nodes);
+    stiffness_.resize(nodes);
+    fixed_.resize(nodes);
+    corner_force_.resize(3 * std::size_t(d.slot_count));
+    partial_.resize(3 * std::size_t(d.blocks.entry_count()));
+    warming_.resize(d.gauss_count);
+    stress_.resize(6 * std::size_t(d.gauss_count));
+    int remembered = 0;
+    for (const BlockLaw& law : laws_) remembered = std::max(remembered, history_size(law));
+    history_.resize(remembered * std::size_t(first_history_.back()));
+    groups_.group_count = static_cast<int>(nodes);
+    damping_.assign({last_damping_});
+    body_ = {.nodes = blocks_.view(),
+             .x = x_.data(),
+             .u = u_.view(),
+             .v = v_.data(),
+             .load = load_.data(),
+             .force = force_.data(),
+             .kept_force = kept_force_.data(),
+             .inverse_mass = inverse_mass_.data(),
+             .fixed = fixed_.data(),
+             .corner_force = corner_force_.data(),
+             .partial = partial_.data(),
+             .warming = warming_.data(),
+             .stress = stress_.data(),
+             .history = history_.data(),
+             .history_stride = first_history_.back(),
+             .corner_gradient = nullptr};
+    find_gradients();
+  }
   BalanceView<Real> balance_view() { return balance_.view(body_, groups_); }
   /// What stages add at most: groups, elastic search, motion.
   static std::size_t stage_bytes(const Setup& setup) {
