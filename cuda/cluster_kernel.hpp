@@ -8,7 +8,7 @@ namespace ashlar {
 /// One step of nodes with springs, whole clusters a thread group: every contact point once, one thread a node for its
 /// sum and its step. The same as SpringForce, GatherSpring, PullGroup and MoveNodes one after the other.
 template <class Real>
-__global__ void __launch_bounds__(cluster_members, sizeof(Real) == 8 ? 8 : 1)
+__global__ void __launch_bounds__(cluster_members, 8)
     step_clusters(const ClusterListsView lists, const SpringView<Real> springs, const GroupView<Real> groups,
                   const MoveNode<Real> step) {
   __shared__ SummedValue<Real> u[3][cluster_members];
