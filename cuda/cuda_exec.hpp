@@ -72,8 +72,8 @@ class CudaExec {
   /// Springs between node pairs, then one step of every node.
   template <class Real>
   void step_clusters(const SpringView<Real>& springs, const GroupView<Real>& groups, const MoveNode<Real>& step) const {
-    ashlar::step_clusters<<<clusters_->count(), cluster_members, 0, cudaStreamPerThread>>>(clusters_->view(), springs, groups,
-                                                                                     step);
+    ashlar::step_clusters<<<clusters_->count(), cluster_members, 0, cudaStreamPerThread>>>(clusters_->view(), springs,
+                                                                                           groups, step);
     check(cudaGetLastError(), "launch");
   }
 
@@ -91,7 +91,8 @@ class CudaExec {
     double* last = first;
     while (chunks > 1) {
       double* const next = last + count * chunks;
-      sum_chunk<count><<<chunk_count(chunks), chunk_items, 0, cudaStreamPerThread>>>(chunks, ChunkTerms<count>{last}, next);
+      sum_chunk<count>
+          <<<chunk_count(chunks), chunk_items, 0, cudaStreamPerThread>>>(chunks, ChunkTerms<count>{last}, next);
       chunks = chunk_count(chunks);
       last = next;
     }
@@ -131,27 +132,20 @@ class CudaExec {
   bool march_blocks(const BodyView<Real>& body, const std::vector<BatchView>& batches, const std::vector<Point>& laws,
                     const Discretisation& d, const MoveNode<Real>& step, int steps) {
     using Work = StressPatch<Element, Warm, Point, Real>;
-    const auto kernel = march_patches<Work>;
-    int entries = 0, groups = 2048 / Work::group.threads;  // of a processor, at the very most
-    if (d.patch_count() > groups * processors_) return false;
+    const auto* const kernel = reinterpret_cast<const void*>(march_patches<Work>);
+    int entries = 0;
     for (int b = 0; b < static_cast<int>(batches.size()); ++b) entries = std::max(entries, capacity(*blocks_, b));
-    if (!exchange_) exchange_ = std::make_unique<ResidentLists>(d.blocks);
-    const std::size_t size = resident_bytes<Real>(entries, exchange_->most_places());
-    if (size > shared_bytes_) return false;
-    check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(size)),
-          "ask for shared memory");
-    check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&groups, kernel, Work::group.threads, size),
-          "ask for occupancy");
-    if (d.patch_count() > groups * processors_) return false;
+    const bool other = kernel != resident_kernel_;
+    if (other) resident_bytes_ = bytes_at_once<Work>(d, entries);
+    resident_kernel_ = kernel;
+    if (resident_bytes_ == 0) return false;
 
-    const auto* const identity = reinterpret_cast<const void*>(kernel);
-    if (identity != sent_kernel_ || sent_changes_ != MachineMemory::changes) {
+    if (other || sent_changes_ != MachineMemory::changes) {
       std::vector<Work> works;
       for (std::size_t b = 0; b < batches.size(); ++b) works.push_back({body, batches[b], laws[b]});
       const auto* first = reinterpret_cast<const std::byte*>(works.data());
       works_.assign(std::vector<std::byte>(first, first + works.size() * sizeof(Work)));
       message_room_.resize(4 * std::size_t(Messages<Real>::words) * d.blocks.entry_count());
-      sent_kernel_ = identity;
       sent_changes_ = MachineMemory::changes;
     }
     const auto* sent = reinterpret_cast<const Work*>(works_.data());
@@ -162,7 +156,8 @@ class CudaExec {
     MoveNode<Real> move = step;
     ResidentListsView exchange = exchange_->view();
     void* arguments[] = {&sent, &batch_count, &lists, &exchange, &messages, &entries, &move, &step_number_, &steps};
-    check(cudaLaunchCooperativeKernel(identity, d.patch_count(), Work::group.threads, arguments, size, cudaStreamPerThread),
+    check(cudaLaunchCooperativeKernel(kernel, d.patch_count(), Work::group.threads, arguments, resident_bytes_,
+                                      cudaStreamPerThread),
           "launch");
     step_number_ += steps;
     return true;
@@ -221,6 +216,21 @@ class CudaExec {
     if (sums_.size() < room) sums_.resize(room);
     return sums_.data();
   }
+  /// Shared memory of a thread group if all patches can run at once, else 0.
+  template <class Work>
+  std::size_t bytes_at_once(const Discretisation& d, int entries) {
+    int groups = 2048 / Work::group.threads;  // of a processor, at the very most
+    if (d.patch_count() > groups * processors_) return 0;
+    if (!exchange_) exchange_ = std::make_unique<ResidentLists>(d.blocks);
+    const auto kernel = march_patches<Work>;
+    const std::size_t size = resident_bytes<typename Work::Real>(entries, exchange_->most_places());
+    if (size > shared_bytes_) return 0;
+    check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(size)),
+          "ask for shared memory");
+    check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&groups, kernel, Work::group.threads, size),
+          "ask for occupancy");
+    return d.patch_count() <= groups * processors_ ? size : 0;
+  }
   static int capacity(const PatchLists& lists, int b) { return (lists.most_entries(b) + 3) / 4 * 4; }
   template <class Work, class NodeStep>
   void patches(const Work& work, const PatchLists& lists, const Discretisation& d, int b, const NodeStep& step) const {
@@ -250,7 +260,8 @@ class CudaExec {
   CudaArray<double> sums_;
   std::unique_ptr<ResidentLists> exchange_;
   CudaArray<std::byte> works_;
-  const void* sent_kernel_ = nullptr;  ///< what works_ are for
+  const void* resident_kernel_ = nullptr;  ///< what works_ are for
+  std::size_t resident_bytes_ = 0;         ///< of shared memory a thread group of it; 0: not all can run at once
   unsigned long sent_changes_ = 0;
   CudaArray<unsigned long long> message_room_;
   unsigned step_number_ = 1;  ///< of the next resident step

@@ -247,8 +247,10 @@ struct PatchMemory {
       }
       work(head.first_element + i, x, u, f);
       ASHLAR_UNROLL
-      for (int k = 0; k < corners; ++k) ASHLAR_UNROLL
-      for (int c = 0; c < width; ++c) corner[c * stride + k * elements + i] = f[c][k];
+      for (int k = 0; k < corners; ++k) {
+        ASHLAR_UNROLL
+        for (int c = 0; c < width; ++c) corner[c * stride + k * elements + i] = f[c][k];
+      }
     }
   }
 };

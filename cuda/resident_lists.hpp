@@ -18,8 +18,8 @@ struct Letter {
   int entry, place;
 };
 /// Places in the inbox of one entry's sums.
-struct InboxPlaces {
-  std::uint16_t first, end, own, unused;
+struct alignas(8) InboxPlaces {
+  std::uint16_t first, end, own;
 };
 
 struct ResidentListsView {

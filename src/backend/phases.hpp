@@ -306,7 +306,8 @@ class Phases final : public Backend {
                       vector = 3 * nodes * sizeof(Real);
     const std::size_t groups = contacts > 0 ? vector + nodes * (sizeof(Real) + 3 * sizeof(int)) + sizeof(int) : 0;
     const std::size_t search = 5 * vector + 2 * nodes * sizeof(int) + 3 * contacts * sizeof(Real) +
-                               setup.discretisation.patch_count() * (rigid_modes * sizeof(double) + sizeof(int)) + sizeof(int);
+                               setup.discretisation.patch_count() * (rigid_modes * sizeof(double) + sizeof(int)) +
+                               sizeof(int);
     const std::size_t motion = setup.motion ? vector + (2 * nodes + 3 * contacts) * sizeof(double) : 0;
     return groups + search + motion;
   }

@@ -211,7 +211,8 @@ class Run {
   /// Outputs inside a stage: every n-th increment, time of a coupled stage, record of a motion.
   bool wants_output(const Moment& moment) const {
     if (std::holds_alternative<ThermalSolve>(stage().solve)) return false;
-    const long number = is_dynamic(stage()) || is_coupled(stage()) ? moment.record : std::lround(moment.load_factor * increments_);
+    const bool by_record = is_dynamic(stage()) || is_coupled(stage());
+    const long number = by_record ? moment.record : std::lround(moment.load_factor * increments_);
     for (const Output& o : problem_.model.outputs)
       if (o.every > 0 && number > 0 && number % o.every == 0 && !moment.stage_end) return true;
     return false;
@@ -662,7 +663,8 @@ class Run {
     links.interrupted = [this] { return observer_.interrupted(); };
     const auto with_start = [&](const Own& lanes) {
       return [&](Exchange& e) {
-        for (auto* values : {&start.load, &start.surface_load, &start.force, &start.displacement, &start.temperature})
+        for (auto* values : {&start.load, &start.surface_load, &start.force, &start.displacement, &start.temperature,
+                             &start.crack_water})
           e("coupled.start", *values);
         lanes(e);
       };

@@ -153,7 +153,8 @@ struct HeatMarch::BoundaryInTime {
              [&](const auto& acting) { return to_machine(problem, boundary_of(problem, acting).heat); }),
         film(problem.model, stage, backend, Field::film,
              [&, links = heat_links(problem.model, problem.blocks, problem.contacts)](const auto& acting) {
-               return film_matrix(boundary_of(problem, acting).films, links, problem.discretisation.heat.new_node).value;
+               const std::vector<int>& new_node = problem.discretisation.heat.new_node;
+               return film_matrix(boundary_of(problem, acting).films, links, new_node).value;
              }),
         given(problem.model, stage, backend, Field::given_temperature,
               [&](const auto& acting) {
