@@ -22,21 +22,23 @@ __global__ void run_kernel(int first, int n, const Kernel kernel) {
   if (i < n) kernel(first + i);
 }
 
-/// One chunk of items a thread group -> its sums by halves (kernels/sum.hpp).
-template <int count, class Terms>
-__global__ void __launch_bounds__(chunk_items) sum_chunk(int n, const Terms terms, double* chunk_sums) {
+/// One chunk of items a thread group -> its numbers by halves (kernels/sum.hpp).
+template <int count, class How, class Terms>
+__global__ void __launch_bounds__(chunk_items) combine_chunk(int n, const Terms terms, double* of_chunk) {
   __shared__ double value[count][chunk_items];
   const int item = blockIdx.x * chunk_items + threadIdx.x;
-  double term[count] = {};
+  double term[count];
+  for (int k = 0; k < count; ++k) term[k] = How::start;
   if (item < n) terms(item, term);
   for (int k = 0; k < count; ++k) value[k][threadIdx.x] = term[k];
   for (int half = chunk_items / 2; half > 0; half /= 2) {
     __syncthreads();
     if (threadIdx.x < half)
-      for (int k = 0; k < count; ++k) value[k][threadIdx.x] += value[k][threadIdx.x + half];
+      for (int k = 0; k < count; ++k)
+        value[k][threadIdx.x] = How::of(value[k][threadIdx.x], value[k][threadIdx.x + half]);
   }
   if (threadIdx.x == 0)
-    for (int k = 0; k < count; ++k) chunk_sums[blockIdx.x * count + k] = value[k][0];
+    for (int k = 0; k < count; ++k) of_chunk[blockIdx.x * count + k] = value[k][0];
 }
 
 /// Memory and loops of one NVIDIA device: launches and copies go to the stream of the thread that made it and alone
@@ -82,22 +84,24 @@ class CudaExec {
     for_range(0, n, kernel);
   }
 
-  /// Sums of `terms(item, values)` over n items, in the order of kernels/sum.hpp.
-  template <int count, class Terms>
-  std::array<double, count> sum(int n, const Terms& terms) {
+  /// Combines what `terms(item, values)` says of n items, in the order of kernels/sum.hpp.
+  template <int count, class How = Sum, class Terms>
+  std::array<double, count> combine(int n, const Terms& terms) {
+    std::array<double, count> total;
+    total.fill(How::start);
+    if (n == 0) return total;
     double* const first = sums(count, n);
     int chunks = chunk_count(n);
-    sum_chunk<count><<<chunks, chunk_items, 0, cudaStreamPerThread>>>(n, terms, first);
+    combine_chunk<count, How><<<chunks, chunk_items, 0, cudaStreamPerThread>>>(n, terms, first);
     double* last = first;
     while (chunks > 1) {
       double* const next = last + count * chunks;
-      sum_chunk<count>
+      combine_chunk<count, How>
           <<<chunk_count(chunks), chunk_items, 0, cudaStreamPerThread>>>(chunks, ChunkTerms<count>{last}, next);
       chunks = chunk_count(chunks);
       last = next;
     }
     check(cudaGetLastError(), "launch");
-    std::array<double, count> total;
     check(cudaMemcpyAsync(total.data(), last, sizeof total, cudaMemcpyDeviceToHost, cudaStreamPerThread), "copy sums");
     finish();
     return total;

@@ -4,7 +4,7 @@
 #   tools/setup.sh --test   also what only the tests need (ParaView's Python: 0.8 GB on disk)
 set -eu
 
-packages="g++ cmake ninja-build pkg-config liblua5.4-dev libeigen3-dev libcgal-dev libhdf5-dev nlohmann-json3-dev libgtest-dev
+packages="g++ cmake ninja-build pkg-config liblua5.4-dev libeigen3-dev libcgal-dev libhdf5-dev zlib1g-dev nlohmann-json3-dev libgtest-dev
   python3 python3-numpy python3-h5py python3-matplotlib"
 
 case "${1-}" in

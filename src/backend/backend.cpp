@@ -45,6 +45,8 @@ const char* phase_name(Phase phase) {
     case Phase::spring_crossing: return "spring_crossing";
     case Phase::advance_history: return "advance_history";
     case Phase::break_springs: return "break_springs";
+    case Phase::keep_springs: return "keep_springs";
+    case Phase::look_at_springs: return "look_at_springs";
     case Phase::heat_flow: return "heat_flow";
     case Phase::step_heat: return "step_heat";
     case Phase::heat_steps: return "heat_steps";

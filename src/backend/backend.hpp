@@ -26,11 +26,12 @@ enum class Phase : std::uint8_t {
   relaxation_sums,       ///< partial sums behind Backend::relaxation_sums
   stiffness_bound,       ///< Gershgorin bound of the blocks' stiffness at every node, into Field::stiffness
   block_stress,          ///< Gauss-point stress for output
-  spring_utilisation,    ///< share of its strength that each contact point uses, into Field::utilisation
-  spring_crossing,       ///< where between Field::displacement_before and now it reached its strength, into
-                         ///< Field::utilisation
+  spring_utilisation,    ///< behind Backend::largest_utilisation
+  spring_crossing,       ///< behind Backend::first_crossing
   advance_history,       ///< what Gauss points remember, moved on to the present displacement
-  break_springs,         ///< cracks contact points at or above Controls::break_threshold
+  break_springs,         ///< behind Backend::break_springs
+  keep_springs,          ///< behind Backend::keep_springs
+  look_at_springs,       ///< behind Backend::loosened_springs
   heat_flow,             ///< conduction and film at the present temperature, into Field::heat_flow
   step_heat,             ///< temperature after Controls::time_step, held nodes kept
   heat_steps,            ///< the two above, Controls::steps times, as machines do that fuse them
@@ -70,7 +71,7 @@ enum class Field : std::uint8_t {
   contact_state,        ///< [contact points] ContactState as a number
   crack_water,          ///< [contact points] Pa, pressure where they are open; empty: all is dry
   contact_damage,       ///< [contact points] broken share of a bond that softens; empty: nothing softens
-  utilisation,          ///< [contact points] 1: at its strength
+  joined,               ///< [contact points] 1: its sides held each other at the last Backend::loosened_springs
   displacement_before,  ///< [3 * block nodes] m, start of the way that spring_crossing looks at
   spring_dissipation,   ///< [3 * contact points] J since start_motion: of opening, shear, friction
   load_work,            ///< [block nodes] J since start_motion
@@ -90,7 +91,7 @@ enum class Field : std::uint8_t {
 struct Controls {
   double local_damping = 0;      ///< Cundall's alpha
   double viscous_damping = 0;    ///< c of one unit step, < 2
-  double break_threshold = 1;    ///< share of strength
+  double break_threshold = 1;    ///< break_springs: share of strength
   double time_step = 0;          ///< s; of displacement in motions
   double velocity_step = 0;      ///< s, motions: half of time_step in the first step
   double step_before = 0;        ///< s, motions: the time_step before this one; 0 in the first
@@ -119,6 +120,14 @@ struct HeatMeasure {
   double residual = 0;        ///< |residual|, W
   double preconditioned = 0;  ///< residual . residual / diagonal, W K
   double along = 0;           ///< direction . Field::heat_flow, W K
+};
+
+/// Contact points that cracked together.
+struct CrackMeasure {
+  int count = 0;
+  int worst = -1;             ///< the first of those that used most of their strength, or of those that softened
+  ContactState mode{};        ///< of the worst
+  Dissipation<double> lost;   ///< J, by all contact points
 };
 
 /// Energies of a motion between its last two displacements, blocks and springs (central difference: velocity and
@@ -191,6 +200,17 @@ class Backend {
   virtual void march_heat(const Controls& controls, int steps);
   virtual RelaxationMeasure relaxation_sums() = 0;
   virtual HeatMeasure heat_sums() = 0;
+  /// Share of its strength that the worst contact point uses; not above 0 where nothing can break.
+  virtual double largest_utilisation() = 0;
+  /// Fraction of the way from Field::displacement_before to now at which a contact point first uses its strength; above
+  /// 1: none does.
+  virtual double first_crossing() = 0;
+  /// Cracks all contact points that use at least `share` of what the worst one uses, which is `most`.
+  virtual CrackMeasure break_springs(double most, double share) = 0;
+  /// Slip and damage of an equilibrium become those to go on from.
+  virtual CrackMeasure keep_springs() = 0;
+  /// Contact points whose sides held each other at the last look (Field::joined) and no longer do.
+  virtual long loosened_springs() = 0;
   /// After a force at the displacement that a step of `step_before` seconds led to.
   virtual MotionMeasure motion_sums(double step_before) = 0;
   /// Every node is by itself until groups are written.

@@ -37,7 +37,7 @@ class BalanceLane {
             .arm = arm_.data()};
   }
   BalanceMeasure sums(Exec& exec, const BalanceView<Real>& view) {
-    const auto s = exec.template sum<balance_sum_count>(view.body.nodes.node_count, BalanceSums<Real>{view});
+    const auto s = exec.template combine<balance_sum_count>(view.body.nodes.node_count, BalanceSums<Real>{view});
     return {std::sqrt(s[balance_residual]), s[balance_preconditioned], s[balance_along]};
   }
   std::vector<double> resultants(Exec& exec, const BalanceView<Real>& view) {

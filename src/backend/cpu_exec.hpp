@@ -27,6 +27,9 @@ struct PackedPoints {
   Real length(int lane, const Vec3<Real>& normal) const { return length_across(body, batch, element(lane), normal); }
   template <class History>
   void read_history(int g, History& h) const {
+    bool any = false;
+    for (int l = 0; l < used; ++l) any = any || body.remembers[batch.history(first + l, 0)];
+    if (!any) return;  // h is 0
     for (int c = 0; c < h.size; ++c)
       for (int l = 0; l < lane_count<V>; ++l)
         h[c].lanes[l] = body.history[c * body.history_stride + batch.history(element(l), g)];
@@ -78,13 +81,15 @@ class CpuExec {
     for (int i = 0; i < n; ++i) kernel(i);
   }
 
-  /// Sums of `terms(item, values)` over n items, in the order of kernels/sum.hpp.
-  template <int count, class Terms>
-  std::array<double, count> sum(int n, const Terms& terms) const {
-    std::vector<double> sums = sum_chunks<count>(n, terms);
-    while (sums.size() > count) sums = sum_chunks<count>(static_cast<int>(sums.size()) / count, ChunkTerms<count>{sums.data()});
-    std::array<double, count> total{};
-    std::copy(sums.begin(), sums.end(), total.begin());
+  /// Combines what `terms(item, values)` says of n items, in the order of kernels/sum.hpp.
+  template <int count, class How = Sum, class Terms>
+  std::array<double, count> combine(int n, const Terms& terms) const {
+    std::vector<double> left = combine_chunks<count, How>(n, terms);
+    while (left.size() > count)
+      left = combine_chunks<count, How>(static_cast<int>(left.size()) / count, ChunkTerms<count>{left.data()});
+    std::array<double, count> total;
+    total.fill(How::start);
+    std::copy(left.begin(), left.end(), total.begin());
     return total;
   }
 
@@ -112,25 +117,26 @@ class CpuExec {
   }
 
  private:
-  template <int count, class Terms>
-  std::vector<double> sum_chunks(int n, const Terms& terms) const {
-    std::vector<double> sums(chunk_count(n) * std::size_t{count});
-    const auto sum_chunk = [&](int chunk) {
-      double value[count][chunk_items] = {};
+  template <int count, class How, class Terms>
+  std::vector<double> combine_chunks(int n, const Terms& terms) const {
+    std::vector<double> of_chunk(chunk_count(n) * std::size_t{count});
+    const auto combine_chunk = [&](int chunk) {
+      double value[count][chunk_items];
       const int first = chunk * chunk_items, used = std::min(chunk_items, n - first);
-      for (int i = 0; i < used; ++i) {
-        double term[count] = {};
-        terms(first + i, term);
+      for (int i = 0; i < chunk_items; ++i) {
+        double term[count];
+        for (int k = 0; k < count; ++k) term[k] = How::start;
+        if (i < used) terms(first + i, term);
         for (int k = 0; k < count; ++k) value[k][i] = term[k];
       }
       for (int k = 0; k < count; ++k) {
         for (int half = chunk_items / 2; half > 0; half /= 2)
-          for (int i = 0; i < half; ++i) value[k][i] += value[k][i + half];
-        sums[chunk * count + k] = value[k][0];
+          for (int i = 0; i < half; ++i) value[k][i] = How::of(value[k][i], value[k][i + half]);
+        of_chunk[chunk * count + k] = value[k][0];
       }
     };
-    for_each(chunk_count(n), sum_chunk, 8);
-    return sums;
+    for_each(chunk_count(n), combine_chunk, 8);
+    return of_chunk;
   }
   template <class Real>
   static SummedValue<Real> moved_at(const Real* at, int c) {

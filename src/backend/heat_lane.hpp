@@ -108,7 +108,7 @@ class HeatLane {
   }
   void turn_search(Exec& exec, double keep) { exec.for_each(node_count(), TurnSearch<Real>{view_, Real(keep)}); }
   HeatMeasure sums(Exec& exec) {
-    const auto s = exec.template sum<heat_sum_count>(node_count(), HeatSums<Real>{view_});
+    const auto s = exec.template combine<heat_sum_count>(node_count(), HeatSums<Real>{view_});
     return {std::sqrt(s[sum_residual]), s[sum_preconditioned], s[sum_along]};
   }
   void warm_gauss_points(Exec& exec, Real* warming) {

@@ -31,7 +31,7 @@ class MotionLane {
   }
   MotionMeasure sums(Exec& exec, const BodyView<Real>& body, double step_before) {
     const auto s =
-        exec.template sum<motion_sum_count>(body.nodes.node_count, MotionSums<Real>{body, view(), step_before});
+        exec.template combine<motion_sum_count>(body.nodes.node_count, MotionSums<Real>{body, view(), step_before});
     return {s[motion_kinetic], s[motion_potential], s[motion_rest_work], s[motion_supplied], s[motion_damped]};
   }
 

@@ -24,6 +24,7 @@
 #include "kernels/spring_advance.hpp"
 #include "kernels/spring_break.hpp"
 #include "kernels/spring_force.hpp"
+#include "kernels/sum.hpp"
 
 /// Every phase once, for any machine. Exec brings memory and a parallel for:
 ///   template <class T> using Array: resize(n), upload(span), download(span), copy(array of this size), data()
@@ -102,22 +103,23 @@ class Phases final : public Backend {
         return each_batch([&](auto element, const auto& law, int b) { gauss_stress<false>(element, law, b); });
       case Phase::spring_force: return spring_force();
       case Phase::advance_history:
-        return each_batch([&](auto element, const auto& law, int b) {
+        each_batch([&](auto element, const auto& law, int b) {
           if constexpr (std::decay_t<decltype(law)>::history_size > 0) gauss_stress<true>(element, law, b);
         });
-      case Phase::spring_utilisation:
-        return each_contact([&](auto springs, int first) {
-          return SpringUtilisation<Real, decltype(springs)>{springs, body_.u, springs_.utilisation.data() + first};
-        });
+        return find_memory();
+      case Phase::spring_utilisation: largest_ = find_worst(); return;
       case Phase::spring_crossing:
-        return each_contact([&](auto springs, int first) {
-          return SpringCrossing<Real, decltype(springs)>{springs, u_before_.view(), body_.u,
-                                                         springs_.utilisation.data() + first};
-        });
-      case Phase::break_springs:
-        return each_contact([&](auto springs, int) {
-          return BreakSprings<Real, decltype(springs)>{springs, body_.u, Real(controls.break_threshold)};
-        });
+        largest_ = combine_contacts<1, Largest>([&](auto springs, int) {
+          return SpringCrossing<Real, decltype(springs)>{springs, u_before_.view(), body_.u};
+        })[0];
+        return;
+      case Phase::break_springs: return break_at(controls.break_threshold);
+      case Phase::keep_springs: return keep_slip();
+      case Phase::look_at_springs:
+        largest_ = combine_contacts<1>([&](auto springs, int first) {
+          return LookAtSprings<Real, decltype(springs)>{advance_of(springs, first), springs_.joined.data() + first};
+        })[0];
+        return;
       case Phase::heat_flow: return heat_.find_flow(exec_);
       case Phase::step_heat: return heat_.step(exec_, controls.time_step);
       case Phase::heat_steps: return heat_.march(exec_, controls.time_step, controls.steps);
@@ -138,8 +140,7 @@ class Phases final : public Backend {
       case Phase::start_motion: return motion_.start(node_count(), contact_count());
       case Phase::advance_springs:
         return each_contact([&](auto springs, int first) {
-          return AdvanceSprings<Real, decltype(springs)>{springs, body_.u, springs_.slip.data() + 3 * first,
-                                                         springs_.damage_from(first),
+          return AdvanceSprings<Real, decltype(springs)>{advance_of(springs, first),
                                                          motion_.spring_dissipation.data() + 3 * first};
         });
       case Phase::damping_force: return damping_force(controls.stiffness_damping);
@@ -180,6 +181,28 @@ class Phases final : public Backend {
             s[sum_force_work],
             s[sum_curvature],
             s[sum_motion]};
+  }
+
+  double largest_utilisation() override {
+    run(Phase::spring_utilisation);
+    return largest_;
+  }
+  double first_crossing() override {
+    run(Phase::spring_crossing);
+    return -largest_;
+  }
+  CrackMeasure break_springs(double most, double share) override {
+    largest_ = most;
+    run(Phase::break_springs, {.break_threshold = share * most});
+    return cracked_;
+  }
+  CrackMeasure keep_springs() override {
+    run(Phase::keep_springs);
+    return cracked_;
+  }
+  long loosened_springs() override {
+    run(Phase::look_at_springs);
+    return static_cast<long>(largest_);
   }
 
   void write_groups(const NodeGroups& groups) override {
@@ -225,6 +248,7 @@ class Phases final : public Backend {
     std::vector<double> ordered;
     if (is_of_contacts(field)) values = ordered = springs_.in_machine_order(values);
     visit_field(*this, field, [&](auto& array) { copy_in(array, values); });
+    if (field == Field::history) find_memory();
   }
   void read(Field field, std::span<double> values) override {
     visit_field(*this, field, [&](auto& array) { copy_out(array, values); });
@@ -255,6 +279,7 @@ class Phases final : public Backend {
       else
         copy_in(array, values);
     });
+    if (field == Field::history) find_memory();
   }
 
  private:
@@ -278,6 +303,7 @@ class Phases final : public Backend {
     int remembered = 0;
     for (const BlockLaw& law : laws_) remembered = std::max(remembered, history_size(law));
     history_.resize(remembered * std::size_t(first_history_.back()));
+    remembers_.resize(first_history_.back());
     groups_.group_count = static_cast<int>(nodes);
     damping_.assign({last_damping_});
     body_ = {.nodes = blocks_.view(),
@@ -295,6 +321,7 @@ class Phases final : public Backend {
              .stress = stress_.data(),
              .history = history_.data(),
              .history_stride = first_history_.back(),
+             .remembers = remembers_.data(),
              .corner_gradient = nullptr};
     find_gradients();
   }
@@ -323,6 +350,48 @@ class Phases final : public Backend {
       exec_.for_each(springs_.overlaps().contact_count, kernel_of(springs_.overlaps(), pairs));
   }
 
+  /// Combines terms_of(springs, their first contact point) over all contact points.
+  template <int count, class How = Sum, class TermsOf>
+  std::array<double, count> combine_contacts(TermsOf terms_of) {
+    const int pairs = springs_.pairs().contact_count;
+    auto all = exec_.template combine<count, How>(pairs, terms_of(springs_.pairs(), 0));
+    if (pairs == contact_count()) return all;
+    const auto overlaps = exec_.template combine<count, How>(springs_.overlaps().contact_count,
+                                                             terms_of(springs_.overlaps(), pairs));
+    for (int k = 0; k < count; ++k) all[k] = How::of(all[k], overlaps[k]);
+    return all;
+  }
+  template <class View>
+  SpringAdvance<Real, View> advance_of(const View& springs, int first) {
+    return {springs, body_.u, springs_.slip.data() + 3 * first, springs_.damage_from(first)};
+  }
+  double find_worst() {
+    return combine_contacts<1, Largest>(
+        [&](auto springs, int) { return SpringUtilisation<Real, decltype(springs)>{springs, body_.u}; })[0];
+  }
+  /// The worst, which uses `largest_` of its strength, and all at or above `threshold`.
+  void break_at(double threshold) {
+    const double key = combine_contacts<1, Largest>([&](auto springs, int first) {
+      return WorstSpring<Real, decltype(springs)>{{springs, body_.u}, largest_, springs_.number() + first};
+    })[0];
+    const auto sum = combine_contacts<3>([&](auto springs, int) {
+      return BreakSprings<Real, decltype(springs)>{{springs, body_.u}, threshold};
+    });
+    cracked_ = {static_cast<int>(sum[2]), CrackKey::number(key), CrackKey::mode(key), {sum[0], sum[1], 0}};
+  }
+  void keep_slip() {
+    double key = Largest::start;
+    if (springs_.damage.size() > 0)
+      key = combine_contacts<1, Largest>([&](auto springs, int first) {
+        return FirstSoftened<Real, decltype(springs)>{advance_of(springs, first), springs_.number() + first};
+      })[0];
+    const auto sum = combine_contacts<4>(
+        [&](auto springs, int first) { return KeepSprings<Real, decltype(springs)>{advance_of(springs, first)}; });
+    cracked_ = {.count = static_cast<int>(sum[3]), .lost = {sum[0], sum[1], sum[2]}};
+    if (cracked_.count == 0) return;
+    cracked_.worst = CrackKey::number(key);
+    cracked_.mode = CrackKey::mode(key);
+  }
   void set_damping(const Controls& c) {
     const StepDamping<Real> damping{Real(c.local_damping), Real((2 - c.viscous_damping) / (2 + c.viscous_damping)),
                                     Real(2 / (2 + c.viscous_damping))};
@@ -338,7 +407,7 @@ class Phases final : public Backend {
 
   void sum_relaxation() {
     relaxation_sums_ =
-        exec_.template sum<relaxation_sum_count>(groups_.group_count, RelaxationSums<Real>{body_, groups_});
+        exec_.template combine<relaxation_sum_count>(groups_.group_count, RelaxationSums<Real>{body_, groups_});
   }
 
   /// Relaxation steps as the machine does them best: without springs every node moves as soon as its force is whole.
@@ -457,6 +526,15 @@ class Phases final : public Backend {
     exec_.for_each(batch.element_count, GaussStrain<E, Real>{body_, batch});
     exec_.for_each(batch.element_count * E<Real>::gauss_points, GaussStress<Point, Real, moves_on>{body_, batch, law});
   }
+  void find_memory() {
+    each_batch([&]<template <class> class E, class Point>(ElementTag<E>, const Point&, int b) {
+      if constexpr (Point::history_size > 0) {
+        const BatchView batch = batch_view(b);
+        exec_.for_each(batch.element_count, FindMemory<Real>{body_, batch, E<Real>::gauss_points, Point::history_size,
+                                                             remembers_.data()});
+      }
+    });
+  }
   /// Laws that are sized ask for them.
   void find_gradients() {
     each_batch([&]<template <class> class E>(ElementTag<E>, const auto& law, int b) {
@@ -529,7 +607,7 @@ class Phases final : public Backend {
   /// Machines keep contact points in an order of their own.
   static bool is_of_contacts(Field field) {
     return field == Field::slip || field == Field::contact_state || field == Field::crack_water ||
-           field == Field::contact_damage || field == Field::utilisation || field == Field::spring_dissipation;
+           field == Field::contact_damage || field == Field::joined || field == Field::spring_dissipation;
   }
   template <class Self, class Visit>
   static decltype(auto) visit_field(Self& self, Field field, Visit visit) {
@@ -548,7 +626,7 @@ class Phases final : public Backend {
       case Field::contact_state: return visit(self.springs_.state);
       case Field::crack_water: return visit(self.springs_.water);
       case Field::contact_damage: return visit(self.springs_.damage);
-      case Field::utilisation: return visit(self.springs_.utilisation);
+      case Field::joined: return visit(self.springs_.joined);
       case Field::displacement_before: return visit(self.u_before_);
       case Field::spring_dissipation: return visit(self.motion_.spring_dissipation);
       case Field::load_work: return visit(self.motion_.load_work);
@@ -599,8 +677,10 @@ class Phases final : public Backend {
   SummedArray<Exec, Real> u_, u_before_;
   Array<Real> x_, v_, load_, force_, kept_force_, inverse_mass_, stiffness_, corner_force_, partial_,
       warming_, stress_, history_, corner_gradient_;
-  Array<std::uint8_t> fixed_;
+  Array<std::uint8_t> fixed_, remembers_;
   std::array<double, relaxation_sum_count> relaxation_sums_{};
+  double largest_ = 0;    ///< of the last phase that looked at all contact points
+  CrackMeasure cracked_;  ///< by the last phase that cracked any
   BodyView<Real> body_;
   Array<int> group_first_, group_member_, group_of_node_;
   Array<Real> group_pull_, group_shared_;

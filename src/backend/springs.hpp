@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "backend/backend.hpp"
@@ -69,7 +71,10 @@ class Springs {
     damage.resize(softens ? n : 0);
     water.resize(setup.crack_water ? n : 0);
     force_.resize(3 * n);
-    utilisation.resize(n);
+    std::vector<int> number(n);
+    std::iota(number.begin(), number.end(), 0);
+    number_.assign(in_machine_order<int>(number));
+    joined.resize(n);
 
     const int nodes = setup.discretisation.blocks.node_count;
     std::vector<int> a(pairs), b(pairs);
@@ -125,6 +130,8 @@ class Springs {
     const std::vector<double> here(values.begin(), values.end());
     each_moved(values.size(), [&](std::size_t in_model, std::size_t at) { values[in_model] = here[at]; });
   }
+  /// [contact points] their numbers in the model.
+  const int* number() { return number_.data(); }
   /// Damage of contact points from the first one on; null: nothing softens.
   Real* damage_from(int first) { return damage.size() > 0 ? damage.data() + first : nullptr; }
   void weaken(double factor) {
@@ -194,7 +201,7 @@ class Springs {
 
   Clusters clusters_;
   int points_;
-  Array<int> node_a_, node_b_, interface_, node_, node_first_, node_contact_;
+  Array<int> node_a_, node_b_, number_, interface_, node_, node_first_, node_contact_;
   Array<int> first_end_, end_node_, overlap_node_, overlap_first_, overlap_contact_;
   Array<Real> normal_, initial_gap_, area_, normal_stiffness_, shear_stiffness_, force_;
   Array<Real> end_weight_, overlap_weight_, strength_;
@@ -205,7 +212,8 @@ class Springs {
 
  public:
   Array<ContactState> state;
-  Array<Real> slip, damage, water, utilisation;
+  Array<Real> slip, damage, water;
+  Array<std::uint8_t> joined;
 };
 
 }  // namespace ashlar

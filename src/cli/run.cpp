@@ -1,3 +1,4 @@
+#include <omp.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -70,6 +71,7 @@ int run_deck(const Arguments& arguments, const RunRecord* record) {
   Deck deck = read_deck(arguments.operands[0], {arguments.settings.begin(), arguments.settings.end()});
   build_mesh(deck.model);
   check_model(deck.model);
+  if (arguments.threads > 0) omp_set_num_threads(arguments.threads);  // of what is written, too
   Problem problem(deck.model, {arguments.precision, arguments.threads, arguments.device, arguments.heat_device,
                                static_cast<std::size_t>(1e9 * arguments.memory)});
   plan_stages(problem);  // refuses what a later stage could not start with

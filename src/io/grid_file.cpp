@@ -1,5 +1,6 @@
 #include "io/grid_file.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -26,6 +27,8 @@ std::string path_of(const GridArray& array) {
 std::string offsets_of(const GridArray& array) {
   return std::string("/VTKHDF/Steps/") + (array.on_points ? "PointDataOffsets/" : "CellDataOffsets/") + array.name;
 }
+
+constexpr hsize_t chunk_bytes = 1 << 20;  // at most: many are packed side by side, and readers keep a few in memory
 
 /// XDMF's code of a VTK cell type.
 int xdmf_code(int vtk_type) {
@@ -148,7 +151,9 @@ void GridFile::create(const Grid& grid, const std::vector<std::pair<std::string,
   for (const auto& array : varying_) {
     std::vector<hsize_t> row;
     if (array.components > 1) row.push_back(array.components);
-    file_.create_rows(path_of(array), hdf5_type(array.type), rows(array), row, true);
+    const auto type = hdf5_type(array.type);
+    const hsize_t row_bytes = H5Tget_size(type) * static_cast<hsize_t>(array.components);
+    file_.create_rows(path_of(array), type, std::min<hsize_t>(rows(array), chunk_bytes / row_bytes), row, true);
     describe(array, array.components > 1 ? "components" : "names");
   }
   file_.flush();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "io/packed_chunk.hpp"
 #include "io/steady_driver.hpp"
 #include "io/text_file.hpp"
 
@@ -191,7 +192,7 @@ void File::create_rows(const std::string& name, hid_t type, hsize_t chunk_rows, 
   H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data());
   if (compressed) {
     H5Pset_shuffle(creation);
-    H5Pset_deflate(creation, 1);
+    H5Pset_deflate(creation, deflate_level);
   }
   const Handle created(H5Dcreate2(file_, name.c_str(), type, space(start, largest), H5P_DEFAULT, creation, H5P_DEFAULT),
                        H5Dclose, path_, "create " + name);
@@ -200,16 +201,57 @@ void File::create_rows(const std::string& name, hid_t type, hsize_t chunk_rows, 
 hsize_t File::append(const std::string& name, hid_t type, const void* values, hsize_t rows) {
   const Handle dataset = open(name);
   auto shape = shape_of(dataset);
-  const hsize_t before = shape[0];
-  shape[0] += rows;
+  const hsize_t before = shape[0], after = before + rows;
+  shape[0] = after;
   check(H5Dset_extent(dataset, shape.data()), "extend " + name);
+  const std::size_t number_bytes = H5Tget_size(type);
+  std::size_t row_bytes = number_bytes;
+  for (std::size_t i = 1; i < shape.size(); ++i) row_bytes *= shape[i];
+  const auto* bytes = static_cast<const unsigned char*>(values);
+  const auto by_library = [&](hsize_t first, hsize_t end) {
+    if (first < end) write_rows(name, dataset, type, bytes + (first - before) * row_bytes, first, end - first);
+  };
+
+  const Handle creation(H5Dget_create_plist(dataset), H5Pclose, path_, "describe an array");
+  if (H5Pget_nfilters(creation) == 0) {
+    by_library(before, after);
+    return before;
+  }
+  std::vector<hsize_t> chunk(shape.size());
+  H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data());
+  const hsize_t first = (before + chunk[0] - 1) / chunk[0], end = after / chunk[0];  // chunks that the rows fill
+  if (first >= end) {
+    by_library(before, after);
+    return before;
+  }
+  by_library(before, first * chunk[0]);
+  const std::size_t chunk_bytes = chunk[0] * row_bytes;
+  constexpr hsize_t at_once = 256;
+  std::vector<std::vector<unsigned char>> packed(std::min(at_once, end - first));
+  for (hsize_t begin = first; begin < end; begin += at_once) {
+    const int count = static_cast<int>(std::min(at_once, end - begin));
+#pragma omp parallel for schedule(dynamic)
+    for (int i = 0; i < count; ++i)
+      packed[i] = packed_chunk(bytes + ((begin + i) * chunk[0] - before) * row_bytes, chunk_bytes, number_bytes);
+    std::vector<hsize_t> corner(shape.size(), 0);
+    for (int i = 0; i < count; ++i) {
+      corner[0] = (begin + i) * chunk[0];
+      check(H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, corner.data(), packed[i].size(), packed[i].data()), "write " + name);
+    }
+  }
+  by_library(end * chunk[0], after);
+  return before;
+}
+
+void File::write_rows(const std::string& name, hid_t dataset, hid_t type, const void* values, hsize_t first_row,
+                      hsize_t rows) {
   const Handle in_file(H5Dget_space(dataset), H5Sclose, path_, "measure " + name);
-  std::vector<hsize_t> first(shape.size(), 0), count = shape;
-  first[0] = before;
+  auto count = shape_of(dataset);
+  std::vector<hsize_t> first(count.size(), 0);
+  first[0] = first_row;
   count[0] = rows;
   H5Sselect_hyperslab(in_file, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr);
   check(H5Dwrite(dataset, type, space(count), in_file, H5P_DEFAULT, values), "write " + name);
-  return before;
 }
 
 void File::link_rows(const std::string& name, const std::string& source, hid_t type, hsize_t first_row, hsize_t rows) {

@@ -70,7 +70,7 @@ class File {
   /// An empty dataset of rows; grows by `append`. One chunk holds `chunk_rows` rows, compressed if `compressed`.
   void create_rows(const std::string& name, hid_t type, hsize_t chunk_rows, const std::vector<hsize_t>& row_shape,
                    bool compressed);
-  /// Adds `rows` rows and returns how many there were before.
+  /// Adds `rows` rows and returns how many there were before. Compressed chunks that they fill are packed side by side.
   hsize_t append(const std::string& name, hid_t type, const void* values, hsize_t rows);
   /// Drops all rows behind the first `rows`.
   void cut(const std::string& name, hsize_t rows);
@@ -112,6 +112,8 @@ class File {
   std::size_t size_of(const std::string& name);
   void read_whole(const std::string& name, hid_t type, void* values);
   void write_whole(const std::string& name, hid_t type, const void* values, const std::vector<hsize_t>& shape);
+  void write_rows(const std::string& name, hid_t dataset, hid_t type, const void* values, hsize_t first_row,
+                  hsize_t rows);
   void write_attribute(const std::string& object, const std::string& name, hid_t type, const void* values,
                        std::size_t count);  ///< count 0: a scalar
   Handle space(const std::vector<hsize_t>& shape, const std::vector<hsize_t>& largest = {});

@@ -51,7 +51,7 @@ struct PointStress {
   }
   ASHLAR_HD Sym3<V> operator()(int g, const Sym3<V>& strain) const {
     if constexpr (Point::history_size > 0) {
-      typename Point::template History<V> history;
+      typename Point::template History<V> history{};
       return remembered_stress(law, points, g, strain, history);
     } else if constexpr (staged) {
       return law.stress(law.without_heat(strain, warming[g]));
@@ -90,6 +90,22 @@ ASHLAR_HD Real length_across(const BodyView<Real>& body, const BatchView& batch,
   return Real(2) / sum;
 }
 
+/// One element -> whether its Gauss points remember anything.
+template <class Real>
+struct FindMemory {
+  BodyView<Real> body;
+  BatchView batch;
+  int gauss_points, history_size;
+  std::uint8_t* remembers;
+
+  ASHLAR_HD void operator()(int i) const {
+    bool any = false;
+    for (int c = 0; c < history_size; ++c)
+      for (int g = 0; g < gauss_points; ++g) any |= body.history[c * body.history_stride + batch.history(i, g)] != Real(0);
+    remembers[batch.history(i, 0)] = any;
+  }
+};
+
 /// The Gauss points of one element in memory.
 template <class Real>
 struct StoredPoints {
@@ -100,6 +116,7 @@ struct StoredPoints {
   ASHLAR_HD Real warming(int g) const { return body.warming[batch.gauss(element, g)]; }
   template <class History>
   ASHLAR_HD void read_history(int g, History& h) const {
+    if (!body.remembers[batch.history(element, 0)]) return;  // h is 0
     for (int c = 0; c < h.size; ++c) h[c] = body.history[c * body.history_stride + batch.history(element, g)];
   }
   template <class History>
@@ -185,7 +202,7 @@ struct GaussStress {
     Sym3<Real> s;
     for (int c = 0; c < 6; ++c) s[c] = at[c];
     if constexpr (Point::history_size > 0) {
-      typename Point::template History<Real> history;
+      typename Point::template History<Real> history{};
       s = remembered_stress(law, points, g, s, history);
       if constexpr (moves_on) points.write_history(g, history);
     } else {

@@ -1,51 +1,82 @@
 #pragma once
 #include "kernels/spring_view.hpp"
 
-/// Strength tests of converged states and what follows from them (numerics 5, crack events). Never run inside a step.
+/// Strength tests of converged states and what follows from them (numerics 5, crack events), as terms of sums and
+/// maxima over all contact points. Never run inside a step.
 namespace ashlar {
 
-/// One contact point -> how much of its strength it uses; 0 where there is nothing left to break.
+/// A contact point and how it has cracked, as a number: the largest of many belongs to the first contact point.
+struct CrackKey {
+  static ASHLAR_HD double of(int number, ContactState mode) { return -(4.0 * number + static_cast<int>(mode)); }
+  static int number(double key) { return static_cast<int>(-key / 4); }
+  static ContactState mode(double key) { return static_cast<ContactState>(static_cast<long>(-key) % 4); }
+};
+
+/// Largest: how much of its strength a contact point uses; 0 where there is nothing left to break.
 template <class Real, class View = SpringView<Real>>
 struct SpringUtilisation {
   View springs;
   Summed<Real> u;
-  Real* used;  ///< [contacts]
 
-  ASHLAR_HD void operator()(int c) const {
+  ASHLAR_HD Utilisation<Real> of(int c) const {
     const auto law = springs.law_of(c);
-    used[c] = law.can_break(springs.state[c]) ? utilisation(law, springs.answer(u, c).traction).largest() : Real(0);
+    if (!law.can_break(springs.state[c])) return {Real(0), Real(0)};
+    return utilisation(law, springs.answer(u, c).traction);
+  }
+  ASHLAR_HD void operator()(int c, double (&largest)[1]) const { largest[0] = double(of(c).largest()); }
+};
+
+/// Largest: CrackKey of those that use exactly `most` of their strength.
+template <class Real, class View = SpringView<Real>>
+struct WorstSpring {
+  SpringUtilisation<Real, View> use;
+  double most;
+  const int* number;  ///< [contacts] in the model
+
+  ASHLAR_HD void operator()(int c, double (&key)[1]) const {
+    const Utilisation<Real> used = use.of(c);
+    if (double(used.largest()) == most) key[0] = CrackKey::of(number[c], used.mode());
   }
 };
 
-/// One contact point -> the fraction of the way from `u_before` to `u` at which it first uses its whole strength, above
-/// 1 if it does not. Exact while its traction is linear on that way.
+/// Largest: minus the fraction of the way from `u_before` to `u` at which a contact point first uses its whole strength,
+/// above 1 if it does not. Exact while its traction is linear on that way.
 template <class Real, class View = SpringView<Real>>
 struct SpringCrossing {
   View springs;
   Summed<Real> u_before;
   Summed<Real> u;
-  Real* fraction;  ///< [contacts]
 
-  ASHLAR_HD void operator()(int c) const {
+  ASHLAR_HD Real fraction(int c) const {
     const auto law = springs.law_of(c);
-    fraction[c] = law.can_break(springs.state[c])
-                      ? first_crossing(law, springs.answer(u_before, c).traction, springs.answer(u, c).traction)
-                      : Real(2);
+    return law.can_break(springs.state[c])
+               ? first_crossing(law, springs.answer(u_before, c).traction, springs.answer(u, c).traction)
+               : Real(2);
   }
+  ASHLAR_HD void operator()(int c, double (&largest)[1]) const { largest[0] = -double(fraction(c)); }
 };
 
-/// One contact point -> cracked, in the mode that uses most of its strength, if it uses at least `threshold` of it.
+/// Cracks contact points that use at least `threshold` of their strength, in the mode that uses most of it.
+/// Sums: energy of opening and shear, J, that is left of a spring once it has slid to its friction limit at this gap
+/// (friction work on that way is booked as slip); contact points cracked.
 template <class Real, class View = SpringView<Real>>
 struct BreakSprings {
-  View springs;
-  Summed<Real> u;
-  Real threshold;
+  SpringUtilisation<Real, View> use;
+  double threshold;
 
-  ASHLAR_HD void operator()(int c) const {
+  ASHLAR_HD void operator()(int c, double (&sum)[3]) const {
+    const View& springs = use.springs;
     const auto law = springs.law_of(c);
-    if (!law.can_break(springs.state[c])) return;
-    const auto used = utilisation(law, springs.answer(u, c).traction);
-    if (used.largest() >= threshold) springs.state[c] = used.mode();
+    const Utilisation<Real> used = use.of(c);
+    if (!law.can_break(springs.state[c]) || double(used.largest()) < threshold) return;
+    const auto traction = springs.answer(use.u, c).traction;
+    springs.state[c] = used.mode();
+    const double tension = double(larger(traction.normal, Real(0)));
+    const double friction = double(larger(-traction.normal, Real(0)) * law.tan_friction);
+    const double dropped = larger(double(norm(traction.shear)) - friction, 0.0);
+    sum[0] = 0.5 * double(springs.area[c]) * tension * tension / double(springs.normal_stiffness[c]);
+    sum[1] = 0.5 * double(springs.area[c]) * dropped * dropped / double(springs.shear_stiffness[c]);
+    sum[2] = 1;
   }
 };
 

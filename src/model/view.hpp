@@ -72,6 +72,8 @@ struct BodyView {
   Real* stress = nullptr;               ///< [6 * Gauss points] Pa, xx yy zz xy yz zx
   Real* history = nullptr;              ///< [numbers a point remembers][Gauss points that remember]
   int history_stride = 0;               ///< Gauss points that remember
+  const std::uint8_t* remembers = nullptr;  ///< [Gauss points that remember] at an element's first: whether any of its
+                                            ///< numbers is not 0, else nobody reads them
   Real* corner_gradient = nullptr;      ///< [3 * slots] 1/m, mean over the element; null: no law asks for it
 };
 

@@ -26,8 +26,9 @@ class CrackEvents {
   /// break.
   double largest_utilisation();
 
-  /// Cracks the worst group at the present, converged state, which has to use its strength, and tells what broke.
-  CrackEvent break_worst_group(double load_factor);
+  /// Cracks the worst group at the present, converged state, whose worst contact point uses `used` >= 1 of its strength,
+  /// and tells what broke.
+  CrackEvent break_worst_group(double used, double load_factor);
 
   /// Takes slip and damage of the present equilibrium as those to go on from, and books what both have cost since the
   /// last one: traction now times slip since then, and the energy of softening, never negative. Tells what has softened
@@ -41,19 +42,24 @@ class CrackEvents {
   /// J since the stage began.
   const Dissipation<double>& dissipated() const { return dissipated_; }
 
-  void exchange(Exchange& e) { e("dissipated", dissipated_); }
+  void exchange(Exchange& e) {
+    e("dissipated", dissipated_);
+    cracked_.reset();
+  }
 
   /// Share of the contact points with a strength that have cracked.
   double cracked_fraction();
 
  private:
-  /// A group that cracked at the same time: `worst` and its place, mode by its state.
-  CrackEvent event_of(int worst, ContactState state, double load_factor) const;
+  /// Books a group that cracked at the same time, and tells of it.
+  CrackEvent event_of(const CrackMeasure& cracked, double load_factor);
   const Problem& problem_;
   ContactReader contacts_;
   bool breakable_ = false;
   bool slides_ = false;
   bool softens_ = false;
+  long strong_ = 0;              ///< contact points with a strength
+  std::optional<long> cracked_;  ///< those of them that have cracked, once it has been asked for
   Dissipation<double> dissipated_;  ///< J: friction work, and spring energy set free beyond what friction takes over
 };
 

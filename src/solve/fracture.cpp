@@ -33,7 +33,6 @@ Fracture::Fracture(const Problem& problem, FractureLinks links, long max_events)
     : problem_(problem),
       links_(std::move(links)),
       max_events_(max_events),
-      contacts_(problem),
       cracks_(problem),
       plastic_(problem.backend->size(Field::history) > 0),
       size_(size_of(problem.discretisation.block_points)) {}
@@ -72,10 +71,19 @@ void Fracture::keep(double factor, bool smooth) {
   kept_ = std::move(now);
 }
 
+/// Bodies that nothing keeps in place now. Where no contact has come loose since none was found there are none.
+std::vector<FreeBody> Fracture::find_free_bodies() {
+  const long loosened = problem_.backend->loosened_springs();
+  if (all_held_ && loosened == 0) return {};
+  auto bodies = free_bodies(problem_);
+  all_held_ = bodies.empty();
+  return bodies;
+}
+
 /// Holds every body that nothing keeps in place where it is, free to deform, so that it takes no further part.
 /// False: one of them carries a load other than its weight.
 bool Fracture::hold_free_bodies() {
-  const auto bodies = free_bodies(problem_, contacts_.read());
+  const auto bodies = find_free_bodies();
   if (bodies.empty()) return true;
   Backend& backend = *problem_.backend;
   auto fixed = backend.read(Field::fixed), velocity = backend.read(Field::velocity);
@@ -129,7 +137,7 @@ bool Fracture::relax() {
     if (!cracks_.can_separate()) return false;
     // A body that lost its hold may fall back on its neighbours: it floats away if nothing holds it at two looks in a
     // row.
-    const auto floating = free_bodies(problem_, contacts_.read()).size();
+    const auto floating = find_free_bodies().size();
     if (floating > 0 && floating_before > 0) {
       stopped = !hold_free_bodies();
       floating_before = 0;
@@ -154,11 +162,11 @@ bool Fracture::settle(double load_factor) {
     if (!relax()) return false;
   }
   place_.settling = true;
-  while (cracks_.largest_utilisation() >= 1) {
+  for (double used; (used = cracks_.largest_utilisation()) >= 1;) {
     offer_checkpoint();
     if (static_cast<long>(events_.size()) >= max_events_) return stop("event limit");
     move_on(load_factor);
-    events_.push_back(cracks_.break_worst_group(load_factor));
+    events_.push_back(cracks_.break_worst_group(used, load_factor));
     if (links_.cracked) links_.cracked(events_.back(), cracks_.cracked_fraction());
     if (!relax()) return false;
   }
@@ -182,9 +190,7 @@ double Fracture::first_crossing(const State& high) {
   Backend& backend = *problem_.backend;
   backend.write(Field::displacement_before, kept_.displacement);
   backend.write(Field::displacement, high.displacement);
-  backend.run(Phase::spring_crossing);
-  const auto fractions = backend.read(Field::utilisation);
-  return std::clamp(*std::min_element(fractions.begin(), fractions.end()), 0.0, 1.0);
+  return std::clamp(backend.first_crossing(), 0.0, 1.0);
 }
 
 /// From equilibrium `high`, whose worst contact point uses `used` > 1 of its strength, back to one where it uses 1

@@ -72,6 +72,7 @@ class Fracture {
   void restore(const State& state);
   double moved() const;
   bool relax();
+  std::vector<FreeBody> find_free_bodies();
   bool hold_free_bodies();
   LooseBlocks describe(const std::vector<int>& blocks) const;
   bool reach(double factor);
@@ -85,11 +86,11 @@ class Fracture {
   const Problem& problem_;
   FractureLinks links_;
   long max_events_;
-  ContactReader contacts_;
   CrackEvents cracks_;
   bool plastic_;              ///< some law remembers
   double size_;               ///< m, of the whole body
   Place place_;
+  bool all_held_ = false;     ///< no body was free at the last look
   bool resumed_ = false;      ///< the present place was taken from a checkpoint
   State kept_;                ///< the last equilibrium without over-strength
   std::vector<double> rate_;  ///< displacement per load factor over the last advance; empty at first

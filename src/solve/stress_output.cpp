@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <optional>
 
 #include "model/check_mesh.hpp"
 #include "physics/shapes/hex8.hpp"
@@ -42,11 +43,25 @@ Eigen::MatrixXd gauss_values(const Batch& batch, int element, std::span<const do
   return values;
 }
 
-/// work(batch, element in the machine's order), batch by batch.
+/// Runs work(i) for all i < n on all cores.
 template <class Work>
-void each_element(const Problem& p, Work work) {
-  for (const Batch& batch : p.discretisation.batches)
-    for (int e = batch.first_element; e < batch.first_element + batch.element_count; ++e) work(batch, e);
+void side_by_side(int n, const Work& work) {
+#pragma omp parallel for schedule(static) if (n > 1000)
+  for (int i = 0; i < n; ++i) work(i);
+}
+
+/// Stress at the corners of an element that averages over it and its neighbours start from: [corners x 6].
+Eigen::MatrixXd corner_stress(const Problem& p, const Batch& batch, int e, std::span<const double> gauss, bool bbar,
+                              const std::optional<Elastic>& elastic) {
+  Eigen::MatrixXd values = gauss_values(batch, e, gauss);
+  // Initial stress is given, not the answer of elements to a movement; a law that flows bounds its stress already.
+  if (elastic) {
+    Eigen::MatrixXd initial = Eigen::MatrixXd::Zero(values.rows(), 6);
+    if (!p.initial.stress.empty()) initial = gauss_values(batch, e, p.initial.stress);
+    values = initial + without_incompatible(p.model.mesh, p.discretisation.source_element[e], bbar, *elastic,
+                                            values - initial);
+  }
+  return extrapolation_of(batch.shape) * values;
 }
 
 }  // namespace
@@ -60,11 +75,13 @@ std::vector<double> gauss_stress(const Problem& p) {
 
 std::vector<double> element_stress(const Problem& p, std::span<const double> gauss) {
   std::vector<double> stress(6 * static_cast<std::size_t>(p.model.mesh.element_count()));
-  each_element(p, [&](const Batch& batch, int e) {
-    const Eigen::MatrixXd values = gauss_values(batch, e, gauss);
-    const auto element = static_cast<std::size_t>(p.discretisation.source_element[e]);
-    for (int c = 0; c < 6; ++c) stress[6 * element + c] = values.col(c).mean();
-  });
+  for (const Batch& batch : p.discretisation.batches)
+    side_by_side(batch.element_count, [&](int i) {
+      const int e = batch.first_element + i;
+      const Eigen::MatrixXd values = gauss_values(batch, e, gauss);
+      const auto element = static_cast<std::size_t>(p.discretisation.source_element[e]);
+      for (int c = 0; c < 6; ++c) stress[6 * element + c] = values.col(c).mean();
+    });
   return stress;
 }
 
@@ -77,25 +94,30 @@ std::vector<double> nodal_stress(const Problem& p, std::span<const double> gauss
       region[p.blocks.corners[s]] = std::min(region[p.blocks.corners[s]], mesh.regions[e]);
   const Setup setup = p.setup();
   std::vector<double> stress(6 * nodes), weight(nodes);
-  each_element(p, [&](const Batch& batch, int e) {
-    const int element = p.discretisation.source_element[e];
-    Eigen::MatrixXd values = gauss_values(batch, e, gauss);
-    // Initial stress is given, not the answer of elements to a movement; a law that flows bounds its stress already.
-    if (history_size(setup.laws[batch.material]) == 0) {
-      Eigen::MatrixXd initial = Eigen::MatrixXd::Zero(values.rows(), 6);
-      if (!p.initial.stress.empty()) initial = gauss_values(batch, e, p.initial.stress);
-      const auto law = make_law<Elastic>(p.model.materials[batch.material].values);
-      values = initial + without_incompatible(mesh, element, setup.bbar[batch.material], law, values - initial);
+  constexpr int at_once = 1 << 16;  // elements: found on all cores, then summed in their order
+  std::vector<Eigen::MatrixXd> corner;
+  for (const Batch& batch : p.discretisation.batches) {
+    std::optional<Elastic> elastic;
+    if (history_size(setup.laws[batch.material]) == 0)
+      elastic = make_law<Elastic>(p.model.materials[batch.material].values);
+    const int end = batch.first_element + batch.element_count;
+    for (int first = batch.first_element; first < end; first += at_once) {
+      corner.resize(std::min(at_once, end - first));
+      side_by_side(static_cast<int>(corner.size()), [&](int i) {
+        corner[i] = corner_stress(p, batch, first + i, gauss, setup.bbar[batch.material], elastic);
+      });
+      for (std::size_t i = 0; i < corner.size(); ++i) {
+        const int element = p.discretisation.source_element[first + static_cast<int>(i)];
+        const double w = element_volume(mesh, element);
+        for (int k = 0; k < corner[i].rows(); ++k) {
+          const auto n = static_cast<std::size_t>(p.blocks.corners[mesh.first_corner[element] + k]);
+          if (region[n] != mesh.regions[element]) continue;
+          weight[n] += w;
+          for (int c = 0; c < 6; ++c) stress[6 * n + c] += w * corner[i](k, c);
+        }
+      }
     }
-    const Eigen::MatrixXd corner = extrapolation_of(batch.shape) * values;
-    const double w = element_volume(mesh, element);
-    for (int k = 0; k < corner.rows(); ++k) {
-      const auto n = static_cast<std::size_t>(p.blocks.corners[mesh.first_corner[element] + k]);
-      if (region[n] != mesh.regions[element]) continue;
-      weight[n] += w;
-      for (int c = 0; c < 6; ++c) stress[6 * n + c] += w * corner(k, c);
-    }
-  });
+  }
   for (std::size_t n = 0; n < nodes; ++n)
     for (int c = 0; c < 6; ++c) stress[6 * n + c] /= weight[n];
   return stress;
@@ -103,14 +125,14 @@ std::vector<double> nodal_stress(const Problem& p, std::span<const double> gauss
 
 std::vector<double> principal_stress(std::span<const double> stress) {
   std::vector<double> principal(stress.size() / 2);
-  for (std::size_t n = 0; n < stress.size() / 6; ++n) {
-    const double* s = &stress[6 * n];
+  side_by_side(static_cast<int>(stress.size() / 6), [&](int i) {
+    const double* s = &stress[6 * static_cast<std::size_t>(i)];
     Eigen::Matrix3d tensor;
     tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
     const Eigen::Vector3d values =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor, Eigen::EigenvaluesOnly).eigenvalues();
-    for (int i = 0; i < 3; ++i) principal[3 * n + i] = values[2 - i];
-  }
+    for (int k = 0; k < 3; ++k) principal[3 * static_cast<std::size_t>(i) + k] = values[2 - k];
+  });
   return principal;
 }
 

@@ -74,50 +74,53 @@ std::vector<std::pair<int, int>> missing_supports(const std::vector<Vec3<double>
 
 }  // namespace
 
-std::vector<FreeBody> free_bodies(const Problem& problem, const std::vector<ContactPoint>& contacts) {
+std::vector<FreeBody> free_bodies(const Problem& problem) {
   const Mesh& mesh = problem.model.mesh;
   const Blocks& blocks = problem.blocks;
-  const auto fixed = problem.backend->read(Field::fixed);
-  std::vector<int> block_of_node(blocks.node_count(), -1);
-  for (int e = 0; e < mesh.element_count(); ++e)
-    for (int c = mesh.first_corner[e]; c < mesh.first_corner[e + 1]; ++c)
-      block_of_node[blocks.corners[c]] = blocks.block_of_element[e];
+  const auto fixed = problem.backend->read(Field::fixed), joined = problem.backend->read(Field::joined);
 
-  std::vector<int> body(blocks.block_count);
+  std::vector<int> body(blocks.block_count);  // another block of the same body, at last its first
   std::iota(body.begin(), body.end(), 0);
   const auto find = [&](int b) {
     while (body[b] != b) b = body[b] = body[body[b]];
     return b;
   };
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (!contacts[c].joined()) continue;
+  for (std::size_t c = 0; c < joined.size(); ++c) {
+    if (joined[c] == 0) continue;
     const InterfaceFace& face = blocks.faces[problem.contacts.face[c]];
     const int a = find(blocks.block_of_element[face.a.element]), b = find(blocks.block_of_element[face.b.element]);
     body[std::max(a, b)] = std::min(a, b);
   }
+  for (int b = 0; b < blocks.block_count; ++b) body[b] = find(b);
 
-  std::vector<std::vector<int>> nodes_of(blocks.block_count);
+  // Nodes by body, in the machine's numbering.
+  std::vector<int> body_of_node(blocks.node_count(), -1), first(blocks.block_count + 1);
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (int c = mesh.first_corner[e]; c < mesh.first_corner[e + 1]; ++c)
+      body_of_node[problem.discretisation.blocks.new_node[blocks.corners[c]]] = body[blocks.block_of_element[e]];
+  for (const int b : body_of_node)
+    if (b >= 0) ++first[b + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<int> node(first.back()), next = first;
   for (int n = 0; n < blocks.node_count(); ++n)
-    if (block_of_node[n] >= 0) nodes_of[find(block_of_node[n])].push_back(problem.discretisation.blocks.new_node[n]);
+    if (body_of_node[n] >= 0) node[next[body_of_node[n]]++] = n;
 
   std::vector<FreeBody> free;
   for (int b = 0; b < blocks.block_count; ++b) {
-    if (find(b) != b) continue;
-    std::vector<int>& nodes = nodes_of[b];
-    std::sort(nodes.begin(), nodes.end());
+    if (body[b] != b) continue;
     std::vector<Vec3<double>> points;
     std::vector<unsigned> held;
-    for (const int n : nodes) {
-      points.push_back(problem.discretisation.block_points[n]);
-      held.push_back(static_cast<unsigned>(fixed[n]));
+    for (int i = first[b]; i < first[b + 1]; ++i) {
+      points.push_back(problem.discretisation.block_points[node[i]]);
+      held.push_back(static_cast<unsigned>(fixed[node[i]]));
     }
     const auto missing = missing_supports(points, held);
     if (missing.empty()) continue;
     FreeBody floating;
-    for (const auto& [n, axis] : missing) floating.supports.push_back(3 * nodes[n] + axis);
-    for (int other = 0; other < blocks.block_count; ++other)
-      if (find(other) == b) floating.blocks.push_back(other);
-    floating.nodes = std::move(nodes);
+    floating.nodes.assign(node.begin() + first[b], node.begin() + first[b + 1]);
+    for (const auto& [n, axis] : missing) floating.supports.push_back(3 * floating.nodes[n] + axis);
+    for (int other = b; other < blocks.block_count; ++other)
+      if (body[other] == b) floating.blocks.push_back(other);
     free.push_back(std::move(floating));
   }
   return free;

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "solve/contact_states.hpp"
+#include "solve/problem.hpp"
 
 /// Which blocks would float away.
 namespace ashlar {
@@ -14,7 +14,7 @@ struct FreeBody {
   std::vector<int> supports;  ///< components 3 * node + axis that, held as well, stop it and let it deform freely
 };
 
-/// At the present state; `contacts` as read. Ordered by first block.
-std::vector<FreeBody> free_bodies(const Problem& problem, const std::vector<ContactPoint>& contacts);
+/// By the contacts that Field::joined holds together. Ordered by first block.
+std::vector<FreeBody> free_bodies(const Problem& problem);
 
 }  // namespace ashlar
