@@ -37,6 +37,7 @@ const char* phase_name(Phase phase) {
     case Phase::spring_force: return "spring_force";
     case Phase::move_nodes: return "move_nodes";
     case Phase::relaxation_steps: return "relaxation_steps";
+    case Phase::stop_nodes: return "stop_nodes";
     case Phase::keep_force: return "keep_force";
     case Phase::relaxation_sums: return "relaxation_sums";
     case Phase::stiffness_bound: return "stiffness_bound";

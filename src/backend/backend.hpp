@@ -22,6 +22,7 @@ enum class Phase : std::uint8_t {
   spring_force,          ///< contact springs, added to nodes
   move_nodes,            ///< velocity, then displacement
   relaxation_steps,      ///< the four above, Controls::steps times, as machines do that fuse them
+  stop_nodes,            ///< velocity 0
   keep_force,            ///< remember the force for the next stiffness estimate
   relaxation_sums,       ///< partial sums behind Backend::relaxation_sums
   stiffness_bound,       ///< Gershgorin bound of the blocks' stiffness at every node, into Field::stiffness
@@ -130,6 +131,12 @@ struct CrackMeasure {
   Dissipation<double> lost;   ///< J, by all contact points
 };
 
+/// Contact points whose state has changed.
+struct ChangedContacts {
+  bool known = false;  ///< else any may have
+  std::vector<int> points{};
+};
+
 /// Energies of a motion between its last two displacements, blocks and springs (central difference: velocity and
 /// the product of two displacements belong to the same moment, and their sum is kept to rounding).
 struct MotionMeasure {
@@ -207,6 +214,8 @@ class Backend {
   virtual double first_crossing() = 0;
   /// Cracks all contact points that use at least `share` of what the worst one uses, which is `most`.
   virtual CrackMeasure break_springs(double most, double share) = 0;
+  /// Those that have changed since this was last asked for.
+  virtual ChangedContacts take_changed_contacts() = 0;
   /// Slip and damage of an equilibrium become those to go on from.
   virtual CrackMeasure keep_springs() = 0;
   /// Contact points whose sides held each other at the last look (Field::joined) and no longer do.

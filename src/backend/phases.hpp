@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "backend/backend.hpp"
 #include "backend/balance_lane.hpp"
@@ -96,6 +97,7 @@ class Phases final : public Backend {
         set_damping(controls);
         return move_nodes();
       case Phase::relaxation_steps: return relaxation_steps(controls.steps);
+      case Phase::stop_nodes: return exec_.for_each(node_count(), StopNode<Real>{body_});
       case Phase::keep_force: return exec_.for_each(node_count(), KeepForce<Real>{body_});
       case Phase::relaxation_sums: return sum_relaxation();
       case Phase::stiffness_bound: return stiffness_bound();
@@ -139,6 +141,7 @@ class Phases final : public Backend {
       case Phase::gauss_temperature: return heat_.warm_gauss_points(exec_, warming_.data());
       case Phase::start_motion: return motion_.start(node_count(), contact_count());
       case Phase::advance_springs:
+        changed_.known = false;
         return each_contact([&](auto springs, int first) {
           return AdvanceSprings<Real, decltype(springs)>{advance_of(springs, first),
                                                          motion_.spring_dissipation.data() + 3 * first};
@@ -200,27 +203,34 @@ class Phases final : public Backend {
     run(Phase::keep_springs);
     return cracked_;
   }
+  ChangedContacts take_changed_contacts() override { return std::exchange(changed_, {true}); }
   long loosened_springs() override {
     run(Phase::look_at_springs);
     return static_cast<long>(largest_);
   }
 
   void write_groups(const NodeGroups& groups) override {
-    group_first_.assign(groups.first);
+    const std::size_t count = groups.pull.size(), nodes = groups.member.size();
+    std::vector<int> of_node(nodes), first(nodes + 1, groups.first.back());  // room for as many groups as may come
+    std::vector<Real> pull(nodes);
+    for (std::size_t g = 0; g < count; ++g) {
+      first[g] = groups.first[g];
+      pull[g] = Real(groups.pull[g]);
+      for (int j = groups.first[g]; j < groups.first[g + 1]; ++j) of_node[groups.member[j]] = static_cast<int>(g);
+    }
+    group_first_.assign(first);
     group_member_.assign(groups.member);
-    group_pull_.assign(std::vector<Real>(groups.pull.begin(), groups.pull.end()));
-    const int count = static_cast<int>(groups.pull.size());
-    std::vector<int> of_node(groups.member.size());
-    for (int g = 0; g < count; ++g)
-      for (int j = groups.first[g]; j < groups.first[g + 1]; ++j) of_node[groups.member[j]] = g;
+    group_pull_.assign(pull);
     group_of_node_.assign(of_node);
-    group_shared_.resize(3 * std::size_t(count));
-    groups_ = {.group_count = count,
+    if (group_shared_.size() != 3 * nodes) group_shared_.resize(3 * nodes);
+    const GroupView<Real> before = groups_;
+    groups_ = {.group_count = static_cast<int>(count),
                .first = group_first_.data(),
                .member = group_member_.data(),
                .pull = group_pull_.data(),
                .of_node = group_of_node_.data(),
                .shared = group_shared_.data()};
+    if (before.group_count != groups_.group_count) regrouped();
   }
   void write_aggregates(const NodeAggregates& aggregates) override {
     balance_.write_aggregates(aggregates, discretisation_.block_points);
@@ -248,7 +258,7 @@ class Phases final : public Backend {
     std::vector<double> ordered;
     if (is_of_contacts(field)) values = ordered = springs_.in_machine_order(values);
     visit_field(*this, field, [&](auto& array) { copy_in(array, values); });
-    if (field == Field::history) find_memory();
+    written(field);
   }
   void read(Field field, std::span<double> values) override {
     visit_field(*this, field, [&](auto& array) { copy_out(array, values); });
@@ -279,12 +289,17 @@ class Phases final : public Backend {
       else
         copy_in(array, values);
     });
-    if (field == Field::history) find_memory();
+    written(field);
   }
 
  private:
   template <class T>
   using Array = typename Exec::template Array<T>;
+  /// What depends on a field that has been written.
+  void written(Field field) {
+    if (field == Field::history) find_memory();
+    if (field == Field::contact_state) changed_.known = false;
+  }
   /// What the stress lane works on.
   void make_body(const Setup& setup) {
     const Discretisation& d = setup.discretisation;
@@ -371,26 +386,38 @@ class Phases final : public Backend {
   }
   /// The worst, which uses `largest_` of its strength, and all at or above `threshold`.
   void break_at(double threshold) {
-    const double key = combine_contacts<1, Largest>([&](auto springs, int first) {
+    const double worst = combine_contacts<1, Largest>([&](auto springs, int first) {
       return WorstSpring<Real, decltype(springs)>{{springs, body_.u}, largest_, springs_.number() + first};
     })[0];
+    list_to_break(threshold);
     const auto sum = combine_contacts<3>([&](auto springs, int) {
       return BreakSprings<Real, decltype(springs)>{{springs, body_.u}, threshold};
     });
-    cracked_ = {static_cast<int>(sum[2]), CrackKey::number(key), CrackKey::mode(key), {sum[0], sum[1], 0}};
+    cracked_ = {static_cast<int>(sum[2]), CrackKey::number(worst), CrackKey::mode(worst), {sum[0], sum[1], 0}};
+  }
+  /// Adds those to changed_ one by one, as long as they are few.
+  void list_to_break(double threshold) {
+    constexpr int few = 64;
+    double last = -Largest::start;
+    for (int found = 0; changed_.known; ++found) {
+      last = combine_contacts<1, Largest>([&](auto springs, int first) {
+        return NextToBreak<Real, decltype(springs)>{{springs, body_.u}, threshold, last, springs_.number() + first};
+      })[0];
+      if (last == Largest::start) return;
+      changed_.points.push_back(CrackKey::number(last));
+      changed_.known = found < few;
+    }
   }
   void keep_slip() {
     double key = Largest::start;
+    changed_.known = changed_.known && springs_.damage.size() == 0;
     if (springs_.damage.size() > 0)
       key = combine_contacts<1, Largest>([&](auto springs, int first) {
         return FirstSoftened<Real, decltype(springs)>{advance_of(springs, first), springs_.number() + first};
       })[0];
     const auto sum = combine_contacts<4>(
         [&](auto springs, int first) { return KeepSprings<Real, decltype(springs)>{advance_of(springs, first)}; });
-    cracked_ = {.count = static_cast<int>(sum[3]), .lost = {sum[0], sum[1], sum[2]}};
-    if (cracked_.count == 0) return;
-    cracked_.worst = CrackKey::number(key);
-    cracked_.mode = CrackKey::mode(key);
+    cracked_ = {static_cast<int>(sum[3]), CrackKey::number(key), CrackKey::mode(key), {sum[0], sum[1], sum[2]}};
   }
   void set_damping(const Controls& c) {
     const StepDamping<Real> damping{Real(c.local_damping), Real((2 - c.viscous_damping) / (2 + c.viscous_damping)),
@@ -403,6 +430,12 @@ class Phases final : public Backend {
     const MoveNode<Real> step{body_, damping_.data()};
     if (groups_.first) exec_.for_each(3 * groups_.group_count, PullGroup<Real>{groups_, step});
     exec_.for_each(node_count(), MoveNodes<Real>{groups_, step});
+  }
+
+  /// Launches that a machine has recorded carry how many groups they pull, where it has no clusters.
+  void regrouped() {
+    if constexpr (Exec::marches)
+      if (!exec_.has_clusters()) ++MachineMemory::changes;
   }
 
   void sum_relaxation() {
@@ -680,6 +713,7 @@ class Phases final : public Backend {
   Array<std::uint8_t> fixed_, remembers_;
   std::array<double, relaxation_sum_count> relaxation_sums_{};
   double largest_ = 0;    ///< of the last phase that looked at all contact points
+  ChangedContacts changed_;
   CrackMeasure cracked_;  ///< by the last phase that cracked any
   BodyView<Real> body_;
   Array<int> group_first_, group_member_, group_of_node_;

@@ -163,6 +163,10 @@ Json measure(const Work& work, const Model& model, const Machine& machine) {
   backend.write(Field::velocity, velocity);
   backend.write(Field::inverse_capacity, std::vector<double>(backend.size(Field::inverse_capacity), 1e-3));
   set_virtual_mass(problem, backend, {});
+  if (!work.thermal) {  // what flows has flowed before
+    steps(backend, false, 1);
+    backend.run(Phase::advance_history);
+  }
   backend.finish();
   const double set_up = since(start);
   const double seconds = seconds_per_step(backend, work.thermal), elements = model.mesh.element_count();

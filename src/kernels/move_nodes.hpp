@@ -109,6 +109,15 @@ struct MoveNodes {
   }
 };
 
+/// One node at rest.
+template <class Real>
+struct StopNode {
+  BodyView<Real> body;
+  ASHLAR_HD void operator()(int node) const {
+    for (int c = 0; c < 3; ++c) body.v[3 * node + c] = Real(0);
+  }
+};
+
 /// Remembers the force of this step for the stiffness estimate of the next.
 template <class Real>
 struct KeepForce {

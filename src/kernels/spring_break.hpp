@@ -1,15 +1,19 @@
 #pragma once
 #include "kernels/spring_view.hpp"
+#include "kernels/sum.hpp"
 
 /// Strength tests of converged states and what follows from them (numerics 5, crack events), as terms of sums and
 /// maxima over all contact points. Never run inside a step.
 namespace ashlar {
 
-/// A contact point and how it has cracked, as a number: the largest of many belongs to the first contact point.
+/// A contact point and how it has cracked, as a number: the largest of many belongs to the first contact point. Of
+/// Largest::start: number -1.
 struct CrackKey {
   static ASHLAR_HD double of(int number, ContactState mode) { return -(4.0 * number + static_cast<int>(mode)); }
-  static int number(double key) { return static_cast<int>(-key / 4); }
-  static ContactState mode(double key) { return static_cast<ContactState>(static_cast<long>(-key) % 4); }
+  static int number(double key) { return key == Largest::start ? -1 : static_cast<int>(-key / 4); }
+  static ContactState mode(double key) {
+    return key == Largest::start ? ContactState::intact : static_cast<ContactState>(static_cast<long>(-key) % 4);
+  }
 };
 
 /// Largest: how much of its strength a contact point uses; 0 where there is nothing left to break.
@@ -36,6 +40,20 @@ struct WorstSpring {
   ASHLAR_HD void operator()(int c, double (&key)[1]) const {
     const Utilisation<Real> used = use.of(c);
     if (double(used.largest()) == most) key[0] = CrackKey::of(number[c], used.mode());
+  }
+};
+
+/// Largest: CrackKey below `last` of those that use at least `threshold` of their strength.
+template <class Real, class View = SpringView<Real>>
+struct NextToBreak {
+  SpringUtilisation<Real, View> use;
+  double threshold, last;
+  const int* number;  ///< [contacts] in the model
+
+  ASHLAR_HD void operator()(int c, double (&key)[1]) const {
+    const Utilisation<Real> used = use.of(c);
+    const double own = CrackKey::of(number[c], used.mode());
+    if (double(used.largest()) >= threshold && own < last) key[0] = own;
   }
 };
 

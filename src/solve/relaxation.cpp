@@ -54,7 +54,7 @@ double thermal_load_norm(Backend& backend) {
 }
 
 Equilibrium relax(Backend& backend, const Relaxation& relaxation, double scale, const RelaxationWatch& watch) {
-  backend.write(Field::velocity, std::vector<double>(backend.size(Field::velocity), 0.0));
+  backend.run(Phase::stop_nodes);
   Controls controls;
   controls.local_damping = local_damping(relaxation);
   if (relaxation.damping == Damping::viscous)

@@ -267,9 +267,10 @@ class Run {
   FractureLinks links_for(const Relaxation& relaxation) {
     FractureLinks links;
     auto search = std::make_shared<ElasticStart>(problem_, *problem_.backend);
-    links.relax = [this, &relaxation, search](const RelaxationWatch& watch) {
+    auto mass = std::make_shared<VirtualMass>(problem_, *problem_.backend, relaxation);
+    links.relax = [this, &relaxation, search, mass](const RelaxationWatch& watch) {
       const During set_up(clock_, Activity::set_up);
-      set_virtual_mass(problem_, *problem_.backend, relaxation);
+      mass->set();
       double start = 0;
       const RelaxationWatch look = [&](long step, double ratio) {
         if (start == 0) start = ratio;
@@ -401,7 +402,7 @@ class Run {
     increment_ = 0;
     increments_ = how.increments;
     const std::vector<double> base = body_temperature_;
-    const std::vector<double>& to = temperatures_at_end_.at(how.to);
+    const std::vector<double> to = temperatures_at_end_.at(how.to);
     const std::vector<double> from = how.from.empty()
                                          ? std::vector<double>(to.size(), problem_.model.reference_temperature)
                                          : temperatures_at_end_.at(how.from);

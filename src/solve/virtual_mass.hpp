@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "solve/problem.hpp"
 
 namespace ashlar {
@@ -17,7 +19,41 @@ namespace ashlar {
 /// Local damping scales forces node by node, which the bound on a group's mean motion does not survive: with it every
 /// node has the mass of D + S.
 ///
-/// To be set again when contact points have cracked.
-void set_virtual_mass(const Problem& problem, Backend& backend, const Relaxation& relaxation);
+class VirtualMass {
+ public:
+  /// `problem` and `backend` outlive this; laws keep their stiffness.
+  VirtualMass(const Problem& problem, Backend& backend, const Relaxation& relaxation);
+  /// Sets it by the contact points that are bonded now. After the first time only groups that lost a bond are looked at.
+  void set();
+
+ private:
+  void join_all();
+  void part(const std::vector<int>& cracked);
+  int root(int node);
+  void join(int contact);
+  void find_between(int node);
+  void write();
+
+  const Problem& problem_;
+  Backend& backend_;
+  double factor_;
+  bool grouped_;                       ///< bonded springs make groups
+  bool set_before_ = false;
+  std::vector<double> blocks_;         ///< [nodes] D, N/m
+  std::vector<double> springs_;        ///< [nodes] S of all springs
+  std::vector<double> of_overlaps_;    ///< [nodes] S of contact points between more than two nodes
+  std::vector<double> between_;        ///< [nodes] S of springs to other groups
+  std::vector<int> a_, b_;             ///< [pairs] nodes, the machine's numbering
+  std::vector<double> stiffness_;      ///< [pairs] 2 A max(k_n, k_s)
+  std::vector<char> bonded_;           ///< [pairs]
+  std::vector<int> first_pair_, pair_; ///< pairs of every node, ascending
+  std::vector<int> group_;             ///< [nodes] lowest node of its group
+  std::vector<int> next_;              ///< [nodes] next higher node of its group, -1: none
+};
+
+/// The same, once.
+inline void set_virtual_mass(const Problem& problem, Backend& backend, const Relaxation& relaxation) {
+  VirtualMass(problem, backend, relaxation).set();
+}
 
 }  // namespace ashlar
