@@ -2,43 +2,15 @@
 #include "cluster_lists.hpp"
 #include "kernels/move_nodes.hpp"
 #include "kernels/spring_view.hpp"
-#include "staging.hpp"
 
 namespace ashlar {
 
-/// Asks for what a thread group that runs later will read: one thread for what lies side by side, each for its node.
-template <class Real>
-__device__ void prefetch_clusters(const ClusterListsView& lists, const SpringView<Real>& springs, const BodyView<Real>& body,
-                                  const ClusterHead& head) {
-  if (threadIdx.x < head.members) {
-    const int node = __ldg(lists.node + head.first_member + threadIdx.x);
-    prefetch(body.u.high + 3 * node);
-    if (body.u.low) prefetch(body.u.low + 3 * node);
-    prefetch(body.v + 3 * node);
-    prefetch(body.load + 3 * node);
-    prefetch(body.force + 3 * node);
-    prefetch(body.inverse_mass + node);
-  }
-  if (threadIdx.x != cluster_members - 1) return;
-  const int first = head.first_pair, count = head.pairs;
-  prefetch_span(springs.normal, 3 * first, 3 * count);
-  prefetch_span(springs.area, first, count);
-  prefetch_span(springs.normal_stiffness, first, count);
-  prefetch_span(springs.shear_stiffness, first, count);
-  prefetch_span(springs.interface, first, count);
-  prefetch_span(springs.state, first, count);
-  prefetch_span(lists.ends, first, count);
-  prefetch_span(lists.use, 2 * first, 2 * count);
-  prefetch_span(lists.uses_end, head.first_member, head.members);
-}
-
 /// One step of nodes with springs, whole clusters a thread group: every contact point once, one thread a node for its
-/// sum and its step. The same as SpringForce, GatherSpring, PullGroup and MoveNodes one after the other. `ahead`: how
-/// many thread groups later the one is that this one prefetches for.
+/// sum and its step. The same as SpringForce, GatherSpring, PullGroup and MoveNodes one after the other.
 template <class Real>
 __global__ void __launch_bounds__(cluster_members, 8)
     step_clusters(const ClusterListsView lists, const SpringView<Real> springs, const GroupView<Real> groups,
-                  const MoveNode<Real> step, const int ahead) {
+                  const MoveNode<Real> step) {
   __shared__ SummedValue<Real> u[3][cluster_members];
   __shared__ Real damped[3][cluster_members], pull[3][cluster_pairs];
   __shared__ std::uint8_t fixed[cluster_members];
@@ -56,7 +28,6 @@ __global__ void __launch_bounds__(cluster_members, 8)
     for (int k = 0; k < 3; ++k) force[k] = body.force[3 * node + k];
     fixed[member] = before.fixed;
   }
-  if (blockIdx.x + ahead < gridDim.x) prefetch_clusters(lists, springs, body, lists.heads[blockIdx.x + ahead]);
   __syncthreads();
 
   for (int i = threadIdx.x; i < head.pairs; i += cluster_members) {

@@ -75,7 +75,7 @@ class CudaExec {
   template <class Real>
   void step_clusters(const SpringView<Real>& springs, const GroupView<Real>& groups, const MoveNode<Real>& step) const {
     ashlar::step_clusters<<<clusters_->count(), cluster_members, 0, cudaStreamPerThread>>>(clusters_->view(), springs,
-                                                                                           groups, step, 2 * processors_);
+                                                                                           groups, step);
     check(cudaGetLastError(), "launch");
   }
 

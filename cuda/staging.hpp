@@ -66,10 +66,4 @@ __device__ __forceinline__ void prefetch_span(const T* array, int first, int cou
 #endif
 }
 
-/// The same for one number and its neighbours.
-template <class T>
-__device__ __forceinline__ void prefetch(const T* number) {
-  asm volatile("prefetch.global.L2 [%0];\n" ::"l"(number));
-}
-
 }  // namespace ashlar

@@ -34,6 +34,15 @@ class StoppedMovements {
     return row;
   }
   bool all() const { return count_ == 6; }
+  /// Held bits 0 1 2: x y z of a point.
+  void hold(const Vec3<double>& point, unsigned bits) {
+    constexpr double negligible = 1e-4;  // of a unit movement
+    for (int axis = 0; axis < 3 && !all(); ++axis) {
+      if (!((bits >> axis) & 1u)) continue;
+      const Row row = still_free(point, axis);
+      if (row.norm() > negligible) stop(row);
+    }
+  }
   void stop(const Row& row) { basis_[count_++] = row.normalized(); }
 
  private:
@@ -47,14 +56,8 @@ class StoppedMovements {
 /// one that stops most of what is still free. `held` bits 0 1 2: x y z. As pairs of index into points and axis.
 std::vector<std::pair<int, int>> missing_supports(const std::vector<Vec3<double>>& points,
                                                   const std::vector<unsigned>& held) {
-  constexpr double negligible = 1e-4;  // of a unit movement
   StoppedMovements stopped(points);
-  for (std::size_t n = 0; n < points.size() && !stopped.all(); ++n)
-    for (int axis = 0; axis < 3 && !stopped.all(); ++axis) {
-      if (!((held[n] >> axis) & 1u)) continue;
-      const Row row = stopped.still_free(points[n], axis);
-      if (row.norm() > negligible) stopped.stop(row);
-    }
+  for (std::size_t n = 0; n < points.size() && !stopped.all(); ++n) stopped.hold(points[n], held[n]);
   std::vector<std::pair<int, int>> supports;
   while (!stopped.all()) {
     Row most = Row::Zero();
@@ -72,6 +75,14 @@ std::vector<std::pair<int, int>> missing_supports(const std::vector<Vec3<double>
   return supports;
 }
 
+/// Whether everything as one body is held, as the first held nodes mostly tell.
+bool all_held(const Problem& problem, const std::vector<double>& fixed) {
+  StoppedMovements stopped(problem.discretisation.block_points);
+  for (std::size_t n = 0; n < fixed.size() && !stopped.all(); ++n)
+    stopped.hold(problem.discretisation.block_points[n], static_cast<unsigned>(fixed[n]));
+  return stopped.all();
+}
+
 }  // namespace
 
 std::vector<FreeBody> free_bodies(const Problem& problem) {
@@ -85,12 +96,16 @@ std::vector<FreeBody> free_bodies(const Problem& problem) {
     while (body[b] != b) b = body[b] = body[body[b]];
     return b;
   };
+  int bodies = blocks.block_count, last_face = -1;  // contact points of a face follow each other
   for (std::size_t c = 0; c < joined.size(); ++c) {
-    if (joined[c] == 0) continue;
-    const InterfaceFace& face = blocks.faces[problem.contacts.face[c]];
+    if (joined[c] == 0 || problem.contacts.face[c] == last_face) continue;
+    last_face = problem.contacts.face[c];
+    const InterfaceFace& face = blocks.faces[last_face];
     const int a = find(blocks.block_of_element[face.a.element]), b = find(blocks.block_of_element[face.b.element]);
+    bodies -= a != b;
     body[std::max(a, b)] = std::min(a, b);
   }
+  if (bodies == 1 && all_held(problem, fixed)) return {};
   for (int b = 0; b < blocks.block_count; ++b) body[b] = find(b);
 
   // Nodes by body, in the machine's numbering.
