@@ -138,7 +138,11 @@ class Phases final : public Backend {
       case Phase::start_motion: return motion_.start(node_count(), contact_count());
       case Phase::advance_springs:
         return each_contact([&](auto springs, int first) {
-          return AdvanceSprings<Real, decltype(springs)>{springs, body_.u, springs_.slip.data() + 3 * first,
+          return AdvanceSprings<Real, decltype(springs)>{springs,
+                                                         body_.u,
+                                                         body_.v,
+                                                         Real(controls.time_step),
+                                                         springs_.slip.data() + 3 * first,
                                                          springs_.damage_from(first),
                                                          motion_.spring_dissipation.data() + 3 * first};
         });
@@ -528,8 +532,9 @@ class Phases final : public Backend {
 
   /// Machines keep contact points in an order of their own.
   static bool is_of_contacts(Field field) {
-    return field == Field::slip || field == Field::contact_state || field == Field::crack_water ||
-           field == Field::contact_damage || field == Field::utilisation || field == Field::spring_dissipation;
+    return field == Field::slip || field == Field::contact_state || field == Field::initial_gap ||
+           field == Field::crack_water || field == Field::contact_damage || field == Field::utilisation ||
+           field == Field::spring_dissipation;
   }
   template <class Self, class Visit>
   static decltype(auto) visit_field(Self& self, Field field, Visit visit) {
@@ -546,6 +551,7 @@ class Phases final : public Backend {
       case Field::fixed: return visit(self.fixed_);
       case Field::slip: return visit(self.springs_.slip);
       case Field::contact_state: return visit(self.springs_.state);
+      case Field::initial_gap: return visit(self.springs_.initial_gap);
       case Field::crack_water: return visit(self.springs_.water);
       case Field::contact_damage: return visit(self.springs_.damage);
       case Field::utilisation: return visit(self.springs_.utilisation);

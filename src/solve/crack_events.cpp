@@ -9,9 +9,8 @@ CrackEvents::CrackEvents(const Problem& problem) : problem_(problem), contacts_(
   for (int c = 0; c < problem.contacts.count(); ++c) {
     breakable_ = breakable_ || contacts_.law(c).breakable;
     softens_ = softens_ || contacts_.law(c).softens();
-    slides_ = slides_ || !contacts_.law(c).bonded;
+    slides_ = slides_ || contacts_.law(c).separates();
   }
-  slides_ = slides_ || breakable_ || softens_;
 }
 
 double CrackEvents::largest_utilisation() {
