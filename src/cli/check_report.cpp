@@ -124,11 +124,12 @@ void describe_match(Page& page, const JointMatch& match) {
   for (const UnmatchedFace& face : match.unmatched)
     if (face.gap == 0) free += face.free;
   if (match.partly_covered)
-    page.line("contacts",
-              "  " + counted(match.partly_covered, "face") +
-                  text(" covered in part, %.4g m^2 of them free; surfaces take a face whole, by its larger part: %.2g m^2 "
-                       "free count as joined, %.2g m^2 joined as free",
-                       free, match.inner_free, match.outer_joined));
+    page.line(
+        "contacts",
+        "  " + counted(match.partly_covered, "face") +
+            text(" covered in part, %.4g m^2 of them free; surfaces take a face whole, by its larger part: %.2g m^2 "
+                 "free count as joined, %.2g m^2 joined as free",
+                 free, match.inner_free, match.outer_joined));
   if (match.too_far)
     page.line("contacts",
               "  " + counted(match.too_far, "face") +

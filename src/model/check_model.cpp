@@ -148,7 +148,8 @@ class ModelCheck {
         cracks(grout->interfaces, c.where, who);
         for (const Interface& i : model_.interfaces)
           if (i.law == SofteningInterface::name && std::ranges::count(grout->interfaces, i.name))
-            complaints_.add(c.where, who + ": '" + i.name + "' softens; only frictional and brittle joints are grouted");
+            complaints_.add(c.where,
+                            who + ": '" + i.name + "' softens; only frictional and brittle joints are grouted");
       }
       if (std::holds_alternative<Uplift>(c.kind)) uplift(c);
       if (const auto* load = std::get_if<PointLoad>(&c.kind)) inside(load->at, c.where, who);

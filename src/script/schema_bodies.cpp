@@ -162,21 +162,24 @@ std::vector<NounRule> body_nouns() {
        .doc =
            "An interface where two regions touch: their faces are tied by springs that open, slide and crack by the "
            "law. Meshes need not match there: faces that lie on each other are joined over the area that they share. "
-           "`ashlar check` shows that area, the gaps, and what found no partner; with --to NAME.vtu also as a picture. A "
-           "face at the joint's rim of which half or less is joined stays an outer one, loads act on all of it; of which "
+           "`ashlar check` shows that area, the gaps, and what found no partner; with --to NAME.vtu also as a picture. "
+           "A "
+           "face at the joint's rim of which half or less is joined stays an outer one, loads act on all of it; of "
+           "which "
            "more is joined it is none, loads leave it out.",
        .keys =
-           Keys{key("between", Type::names, "the two regions").need(), law_key(""),
-                number("tolerance", dimension::length, range::positive,
-                       "largest gap or overlap across which faces of meshes that do not match are joined; a millionth "
-                       "of the model's size unless given"),
-                number("conductance", dimension::film, range::positive,
-                       "heat per area that passes where it is closed, for each degree between its faces. Unless this or "
-                       "`open_conductance` is given heat passes as if nothing were there (meshed apart: ten times as "
-                       "well as through the half elements beside it), open or not"),
-                number("open_conductance", dimension::film, range::not_negative,
-                       "the same where it is open, such as a film of air; 0 if only `conductance` is given. Taken as a "
-                       "thermal stage finds the joint; coupled stages look at it again with every balance")} +
+           Keys{
+               key("between", Type::names, "the two regions").need(), law_key(""),
+               number("tolerance", dimension::length, range::positive,
+                      "largest gap or overlap across which faces of meshes that do not match are joined; a millionth "
+                      "of the model's size unless given"),
+               number("conductance", dimension::film, range::positive,
+                      "heat per area that passes where it is closed, for each degree between its faces. Unless this or "
+                      "`open_conductance` is given heat passes as if nothing were there (meshed apart: ten times as "
+                      "well as through the half elements beside it), open or not"),
+               number("open_conductance", dimension::film, range::not_negative,
+                      "the same where it is open, such as a film of air; 0 if only `conductance` is given. Taken as a "
+                      "thermal stage finds the joint; coupled stages look at it again with every balance")} +
            joint_keys(),
        .example =
            R"(joint "dam_base" { between = { "dam", "rock" }, law = "brittle", tensile_strength = 0.5*MPa, cohesion = 1*MPa, friction = 42*deg })",

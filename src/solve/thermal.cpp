@@ -199,8 +199,9 @@ void HeatMarch::open_joints(const std::vector<double>& open) {
   open_ = open;
   boundary_.reset();  // which takes its parts from the machine
   const std::vector<HeatLink> links = heat_links(problem_.model, problem_.blocks, problem_.contacts, open);
-  backend_.write(Field::film, film_matrix(first_boundary(problem_, stage_).films, links,
-                                          problem_.discretisation.heat.new_node).value);
+  backend_.write(
+      Field::film,
+      film_matrix(first_boundary(problem_, stage_).films, links, problem_.discretisation.heat.new_node).value);
   boundary_ = std::make_unique<BoundaryInTime>(problem_, backend_, stage_, open);
 }
 

@@ -130,7 +130,8 @@ TEST(springs, a_motion_books_the_fracture_energy_of_what_softens_and_water_follo
     u[5] = step * 1e-6;
     SpringForce<double>{view, {u.data()}}(0);
     const double line = step <= 2 ? step * 1e6 : step < 100 ? 2e6 * (100 - step) / 98 : 0;
-    AdvanceSprings<double>{view, {u.data()}, v.data(), step > 0 ? 1e-3 : 0, springs.slip.data(), damage.data(), dissipation.data()}(0);
+    AdvanceSprings<double>{view,          {u.data()},        v.data(), step > 0 ? 1e-3 : 0, springs.slip.data(),
+                           damage.data(), dissipation.data()}(0);
     EXPECT_NEAR(springs.force[2], 0.25 * (line - damage[0] * 5e4), 1e-3);
   }
   EXPECT_EQ(springs.state[0], ContactState::cracked_in_tension);
