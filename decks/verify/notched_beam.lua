@@ -3,7 +3,7 @@
 -- Source: exact solution of the same discrete beam, an independent numpy program: 851.3 N with 20 elements over the depth
 --   and 848.0 N with 40, springs of 1e13 Pa/m.
 -- Accept: 2 % on the same mesh; 5 % between 10, 20 and 40 elements.
--- Runs: n=20 | n=10
+-- Runs: n=20 | n=10 | n=40
 local args = deck.args { n = { default = 20, doc = "elements over the depth: 10, 20 or 40; all are square" } }
 local span, depth, width, notch = 2, 0.2, 0.05, 0.1
 local half, n = args.n * span / depth / 2, args.n

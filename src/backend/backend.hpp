@@ -70,6 +70,7 @@ enum class Field : std::uint8_t {
   stress,               ///< [6 * Gauss points] Pa
   slip,                 ///< [3 * contact points] m
   contact_state,        ///< [contact points] ContactState as a number
+  initial_gap,          ///< [3 * contact points] m, ContactPoints::initial_gap; empty: none
   crack_water,          ///< [contact points] Pa, pressure where they are open; empty: all is dry
   contact_damage,       ///< [contact points] broken share of a bond that softens; empty: nothing softens
   joined,               ///< [contact points] 1: its sides held each other at the last Backend::loosened_springs

@@ -119,7 +119,7 @@ class Phases final : public Backend {
       case Phase::keep_springs: return keep_slip();
       case Phase::look_at_springs:
         largest_ = combine_contacts<1>([&](auto springs, int first) {
-          return LookAtSprings<Real, decltype(springs)>{advance_of(springs, first), springs_.joined.data() + first};
+          return LookAtSprings<Real, decltype(springs)>{memory_of(springs, first), springs_.joined.data() + first};
         })[0];
         return;
       case Phase::heat_flow: return heat_.find_flow(exec_);
@@ -143,7 +143,12 @@ class Phases final : public Backend {
       case Phase::advance_springs:
         changed_.known = false;
         return each_contact([&](auto springs, int first) {
-          return AdvanceSprings<Real, decltype(springs)>{advance_of(springs, first),
+          return AdvanceSprings<Real, decltype(springs)>{springs,
+                                                         body_.u,
+                                                         body_.v,
+                                                         Real(controls.time_step),
+                                                         springs_.slip.data() + 3 * first,
+                                                         springs_.damage_from(first),
                                                          motion_.spring_dissipation.data() + 3 * first};
         });
       case Phase::damping_force: return damping_force(controls.stiffness_damping);
@@ -377,7 +382,7 @@ class Phases final : public Backend {
     return all;
   }
   template <class View>
-  SpringAdvance<Real, View> advance_of(const View& springs, int first) {
+  SpringMemory<Real, View> memory_of(const View& springs, int first) {
     return {springs, body_.u, springs_.slip.data() + 3 * first, springs_.damage_from(first)};
   }
   double find_worst() {
@@ -413,10 +418,10 @@ class Phases final : public Backend {
     changed_.known = changed_.known && springs_.damage.size() == 0;
     if (springs_.damage.size() > 0)
       key = combine_contacts<1, Largest>([&](auto springs, int first) {
-        return FirstSoftened<Real, decltype(springs)>{advance_of(springs, first), springs_.number() + first};
+        return FirstSoftened<Real, decltype(springs)>{memory_of(springs, first), springs_.number() + first};
       })[0];
     const auto sum = combine_contacts<4>(
-        [&](auto springs, int first) { return KeepSprings<Real, decltype(springs)>{advance_of(springs, first)}; });
+        [&](auto springs, int first) { return KeepSprings<Real, decltype(springs)>{memory_of(springs, first)}; });
     cracked_ = {static_cast<int>(sum[3]), CrackKey::number(key), CrackKey::mode(key), {sum[0], sum[1], sum[2]}};
   }
   void set_damping(const Controls& c) {
@@ -639,8 +644,9 @@ class Phases final : public Backend {
 
   /// Machines keep contact points in an order of their own.
   static bool is_of_contacts(Field field) {
-    return field == Field::slip || field == Field::contact_state || field == Field::crack_water ||
-           field == Field::contact_damage || field == Field::joined || field == Field::spring_dissipation;
+    return field == Field::slip || field == Field::contact_state || field == Field::initial_gap ||
+           field == Field::crack_water || field == Field::contact_damage || field == Field::joined ||
+           field == Field::spring_dissipation;
   }
   template <class Self, class Visit>
   static decltype(auto) visit_field(Self& self, Field field, Visit visit) {
@@ -657,6 +663,7 @@ class Phases final : public Backend {
       case Field::fixed: return visit(self.fixed_);
       case Field::slip: return visit(self.springs_.slip);
       case Field::contact_state: return visit(self.springs_.state);
+      case Field::initial_gap: return visit(self.springs_.initial_gap);
       case Field::crack_water: return visit(self.springs_.water);
       case Field::contact_damage: return visit(self.springs_.damage);
       case Field::joined: return visit(self.springs_.joined);

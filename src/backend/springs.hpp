@@ -48,15 +48,13 @@ class Springs {
     const ContactPoints& c = setup.contacts;
     const std::vector<int>& renumber = setup.discretisation.blocks.new_node;
     const int n = c.count(), pairs = c.pair_count();
-    std::vector<Real> normal(3 * n), initial_gap(c.has_initial_gap() ? 3 * n : 0);
-    for (int i = 0; i < n; ++i) {
+    std::vector<Real> normal(3 * n);
+    for (int i = 0; i < n; ++i)
       for (int k = 0; k < 3; ++k) normal[3 * i + k] = Real(c.normal[i][k]);
-      for (int k = 0; k < 3 && !initial_gap.empty(); ++k) initial_gap[3 * i + k] = Real(c.initial_gap(i)[k]);
-    }
     std::vector<SpringLaw<Real>> laws;
     for (const auto& law : setup.interface_laws) laws.push_back(law.template as<Real>());
     normal_.assign(in_machine_order<Real>(normal));
-    initial_gap_.assign(in_machine_order<Real>(initial_gap));
+    initial_gap.assign(in_machine_order<Real>(c.initial_gaps()));
     area_.assign(in_machine_order<Real>(real(c.area)));
     normal_stiffness_.assign(in_machine_order<Real>(real(c.normal_stiffness)));
     shear_stiffness_.assign(in_machine_order<Real>(real(c.shear_stiffness)));
@@ -99,7 +97,7 @@ class Springs {
               .area = area_.data(),
               .normal_stiffness = normal_stiffness_.data(),
               .shear_stiffness = shear_stiffness_.data(),
-              .initial_gap = initial_gap.empty() ? nullptr : initial_gap_.data(),
+              .initial_gap = c.has_initial_gap() ? initial_gap.data() : nullptr,
               .strength = c.strength.empty() ? nullptr : strength_.data(),
               .interface = interface_.data(),
               .laws = laws_.data(),
@@ -203,7 +201,7 @@ class Springs {
   int points_;
   Array<int> node_a_, node_b_, number_, interface_, node_, node_first_, node_contact_;
   Array<int> first_end_, end_node_, overlap_node_, overlap_first_, overlap_contact_;
-  Array<Real> normal_, initial_gap_, area_, normal_stiffness_, shear_stiffness_, force_;
+  Array<Real> normal_, area_, normal_stiffness_, shear_stiffness_, force_;
   Array<Real> end_weight_, overlap_weight_, strength_;
   Array<SpringLaw<Real>> laws_;
   std::vector<SpringLaw<double>> full_laws_;
@@ -212,7 +210,7 @@ class Springs {
 
  public:
   Array<ContactState> state;
-  Array<Real> slip, damage, water;
+  Array<Real> slip, damage, initial_gap, water;
   Array<std::uint8_t> joined;
 };
 

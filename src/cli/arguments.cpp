@@ -32,7 +32,8 @@ const std::vector<Option>& options() {
        "time between checkpoints within a stage (10); there is one after every stage anyway"},
       {"--force", "", "replaces the results of an earlier run, or an exported file"},
       {"--to", "FILE",
-       "file to export to: .msh (Gmsh), .vtu (ParaView), .inp (CalculiX, Abaqus); curves of material: .csv"},
+       "file to export to: .msh (Gmsh), .vtu (ParaView), .inp (CalculiX, Abaqus); curves of material: .csv; "
+       "interfaces of check: .vtu"},
       {"--confining", "P,P,...", "pressures of the triaxial tests of material, MPa (1,5)"},
       {"--tolerance", "T", "compare: largest relative difference that exit code 0 allows, beyond it 4 (0: the same bits)"},
       {"--line", "X,Y,Z,X,Y,Z", "compare: a table along a straight line from one point to another, m"},
@@ -181,7 +182,9 @@ std::span<const Verb> verbs() {
        1,
        {"--device", "--devices", "--threads", "--memory", "--checkpoint-every"},
        "goes on with a run that was stopped or killed, from its last checkpoint, to the same results"},
-      {"check", "DECK", 1, 1, {"--set"}, "reads a deck and shows mesh, contacts and plan without solving"},
+      {"check", "DECK", 1, 1, {"--set", "--to", "--force"},
+       "reads a deck and shows mesh, contacts and plan without solving; with --to NAME.vtu it also writes all "
+       "interfaces"},
       {"export",
        "DECK",
        1,

@@ -120,7 +120,16 @@ std::vector<ContactSum> sum_contacts(const Model& model, const Blocks& blocks, c
 void describe_match(Page& page, const JointMatch& match) {
   page.line("contacts", text("  meshed apart: %s of faces, gaps up to %.2g m, overlaps up to %.2g m",
                              counted(match.joined, "pair").c_str(), match.largest_gap, match.largest_overlap));
-  if (match.partly_covered) page.line("contacts", "  " + counted(match.partly_covered, "face") + " covered in part");
+  double free = 0;
+  for (const UnmatchedFace& face : match.unmatched)
+    if (face.gap == 0) free += face.free;
+  if (match.partly_covered)
+    page.line(
+        "contacts",
+        "  " + counted(match.partly_covered, "face") +
+            text(" covered in part, %.4g m^2 of them free; surfaces take a face whole, by its larger part: %.2g m^2 "
+                 "free count as joined, %.2g m^2 joined as free",
+                 free, match.inner_free, match.outer_joined));
   if (match.too_far)
     page.line("contacts",
               "  " + counted(match.too_far, "face") +
@@ -188,9 +197,9 @@ void describe_plan(Page& page, const Model& model) {
 
 }  // namespace
 
-std::string check_report(const Model& model) {
+std::string check_report(Problem& problem) {
+  const Model& model = problem.model;
   const MeshQuality quality = measure_quality(model.mesh);
-  Problem problem(model, {});
   const std::vector<StagePlan> plan = plan_stages(problem);
   const StepSeconds seconds = measure_steps(problem);
   const Blocks& blocks = problem.blocks;

@@ -1,13 +1,12 @@
 #pragma once
 #include <string>
 
-#include "model/model.hpp"
+#include "solve/problem.hpp"
 
 namespace ashlar {
 
-/// What `ashlar check` prints of a model whose mesh is built: mesh, quality, regions, surfaces, contacts, plan,
+/// What `ashlar check` prints of a model made ready to run: mesh, quality, regions, surfaces, contacts, plan,
 /// estimated effort, what is left out.
-/// Throws DeckError where blocks cannot be split or contacts not placed.
-std::string check_report(const Model& model);
+std::string check_report(Problem& problem);
 
 }  // namespace ashlar

@@ -13,15 +13,28 @@
 #include "cli/plot.hpp"
 #include "cli/summary.hpp"
 #include "cli/wording.hpp"
+#include "io/mesh_writer.hpp"
+#include "io/text_file.hpp"
 #include "script/deck.hpp"
 
 namespace ashlar {
 
 int check_command(const Arguments& arguments) {
+  if (!arguments.to.empty() && std::filesystem::path(arguments.to).extension() != ".vtu")
+    throw UsageError("--to of check names the file for the interfaces, with the extension .vtu; not '" + arguments.to +
+                     "'");
+  if (!arguments.to.empty() && std::filesystem::exists(arguments.to) && !arguments.force)
+    throw UsageError("'" + arguments.to + "' exists already; give another name, or --force to replace it");
   Deck deck = read_deck(arguments.operands[0], {arguments.settings.begin(), arguments.settings.end()});
   build_mesh(deck.model);
   check_model(deck.model);
-  std::fputs(check_report(deck.model).c_str(), stdout);
+  Problem problem(deck.model, {});
+  std::fputs(check_report(problem).c_str(), stdout);
+  if (arguments.to.empty()) return 0;
+  replace_file(arguments.to, interfaces_vtu_text(deck.model, problem.blocks));
+  Page page;
+  page.line("interfaces", arguments.to + ": to be seen in ParaView");
+  std::fputs(page.lines().c_str(), stdout);
   return 0;
 }
 

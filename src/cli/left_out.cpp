@@ -44,7 +44,9 @@ std::vector<std::string> left_out(const Model& model) {
   }
   if (has_condition<Gravity>(model)) list.push_back("construction in lifts: gravity acts on the finished body at once");
   const bool thermal = std::any_of(model.stages.begin(), model.stages.end(), is_thermal);
-  if (thermal && breakable) list.push_back("heat across cracks: open cracks conduct as sound concrete");
+  const bool passes = std::any_of(model.interfaces.begin(), model.interfaces.end(),
+                                  [](const Interface& i) { return !i.resists_heat() && i.law != "elastic"; });
+  if (thermal && passes) list.push_back("heat across cracks: open cracks conduct as sound concrete");
   return list;
 }
 

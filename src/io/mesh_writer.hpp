@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "model/blocks.hpp"
 #include "model/model.hpp"
 
 /// Meshes and models for other programs. Nodes and elements keep their order and are numbered from 1; coordinates are
@@ -15,6 +16,12 @@ std::string gmsh_text(const Mesh& mesh);
 /// surface that they are in. The cell array `region` numbers regions from 1 and, behind them, surfaces; the field
 /// arrays region_names and surface_names name them in that order.
 std::string vtu_text(const Mesh& mesh);
+
+/// Interfaces before anything is solved, VTK unstructured grid (.vtu), text: a polygon for every pair of faces that lie
+/// on each other, for every overlap, and for every face that a joint leaves free, wholly or in part. Cell arrays:
+/// interface (a number into the field array interface_names), match (0: corner on corner, 1: overlap, 2: partly free,
+/// 3: free, beyond the tolerance), area [m^2] (of free faces: the free part), gap [m], block_a, block_b (-1: none).
+std::string interfaces_vtu_text(const Model& model, const Blocks& blocks);
 
 /// Forces and supports on mesh nodes, for one *STEP.
 struct NodalStep {

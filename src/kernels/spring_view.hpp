@@ -40,7 +40,9 @@ struct SpringView {
     const SpringLaw<Real>& law = laws[interface[c]];
     return strength ? law.with_strength(strength[c]) : law;
   }
-  ASHLAR_HD Vec3<Real> gap(const Summed<Real>& u, int c) const {
+  /// Of a nodal field: displacement (Summed) or velocity.
+  template <class Field>
+  ASHLAR_HD Vec3<Real> gap(const Field& u, int c) const {
     const int a = 3 * node_a[c], b = 3 * node_b[c];
     return {difference(u[b], u[a]), difference(u[b + 1], u[a + 1]), difference(u[b + 2], u[a + 2])};
   }
@@ -82,7 +84,8 @@ struct OverlapView : SpringView<Real> {
   const Real* node_weight = nullptr;  ///< beside node_contact: weight of the node in the point's gap
 
   /// From differences to the first node, which stay exact where everything moves.
-  ASHLAR_HD Vec3<Real> gap(const Summed<Real>& u, int c) const {
+  template <class Field>
+  ASHLAR_HD Vec3<Real> gap(const Field& u, int c) const {
     const int base = 3 * end_node[first_end[c]];
     Vec3<Real> sum;
     for (int j = first_end[c] + 1; j < first_end[c + 1]; ++j) {

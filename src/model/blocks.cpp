@@ -163,14 +163,39 @@ void refuse_joints_without_faces(const Model& model, const Blocks& blocks) {
 
 }  // namespace
 
+NodeCopies copy_nodes(const Mesh& mesh, const std::vector<FacePair>& connecting, const std::vector<char>& parted) {
+  Sets sets(static_cast<int>(mesh.corners.size()));
+  const auto corner_at = [&](int element, int node) {
+    const auto nodes = mesh.element(element);
+    return mesh.first_corner[element] + static_cast<int>(std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
+  };
+  for (const auto& pair : connecting)
+    for (const int n : mesh.facet_nodes(pair.a))
+      if (parted[n]) sets.join(corner_at(pair.a.element, n), corner_at(pair.b.element, n));
+
+  // A set's representative is its corner in the lowest element.
+  const auto around = corners_of_nodes(mesh);
+  NodeCopies copies{std::vector<int>(mesh.corners.size(), -1), {}, {0}};
+  const auto add = [&](int n) {
+    copies.mesh_node.push_back(n);
+    return static_cast<int>(copies.mesh_node.size()) - 1;
+  };
+  for (int n = 0; n < mesh.node_count(); ++n) {
+    const int whole = parted[n] ? -1 : add(n);
+    for (int i = around.first[n]; i < around.first[n + 1]; ++i) {
+      const int corner = around.corner[i], head = parted[n] ? sets.find(corner) : -1;
+      copies.corners[corner] = !parted[n] ? whole : head == corner ? add(n) : copies.corners[head];
+    }
+    copies.first_copy.push_back(static_cast<int>(copies.mesh_node.size()));
+  }
+  return copies;
+}
+
 Blocks split_blocks(const Model& model, const FaceGraph& graph) {
   const Mesh& mesh = model.mesh;
   const InterfaceTable table(model);
   Blocks blocks;
 
-  // Two corners of one mesh node get one copy of it if shared faces that are no interface connect their elements around
-  // it.
-  Sets copies(static_cast<int>(mesh.corners.size()));
   std::vector<char> touches_interface(mesh.node_count(), 0);
   std::vector<FacePair> inside;
   for (const auto& pair : graph.inner) {
@@ -196,36 +221,10 @@ Blocks split_blocks(const Model& model, const FaceGraph& graph) {
   blocks.matches = std::move(facing.matches);
   refuse_joints_without_faces(model, blocks);
 
-  const auto corner_at = [&](int element, int node) {
-    const auto nodes = mesh.element(element);
-    return mesh.first_corner[element] + static_cast<int>(std::find(nodes.begin(), nodes.end(), node) - nodes.begin());
-  };
-  for (const auto& pair : inside)
-    for (const int n : mesh.facet_nodes(pair.a))
-      if (touches_interface[n]) copies.join(corner_at(pair.a.element, n), corner_at(pair.b.element, n));
-
-  // Copies in mesh-node order, then by lowest element: a set's representative is its corner in the lowest element.
-  const auto around = corners_of_nodes(mesh);
-  blocks.corners.assign(mesh.corners.size(), -1);
-  blocks.first_copy.assign(1, 0);
-  for (int n = 0; n < mesh.node_count(); ++n) {
-    if (!touches_interface[n]) {
-      for (int i = around.first[n]; i < around.first[n + 1]; ++i)
-        blocks.corners[around.corner[i]] = blocks.node_count();
-      blocks.mesh_node.push_back(n);
-    } else {
-      for (int i = around.first[n]; i < around.first[n + 1]; ++i) {
-        const int corner = around.corner[i], head = copies.find(corner);
-        if (head == corner) {
-          blocks.corners[corner] = blocks.node_count();
-          blocks.mesh_node.push_back(n);
-        } else {
-          blocks.corners[corner] = blocks.corners[head];
-        }
-      }
-    }
-    blocks.first_copy.push_back(blocks.node_count());
-  }
+  NodeCopies copies = copy_nodes(mesh, inside, touches_interface);
+  blocks.corners = std::move(copies.corners);
+  blocks.mesh_node = std::move(copies.mesh_node);
+  blocks.first_copy = std::move(copies.first_copy);
 
   Sets elements(mesh.element_count());
   std::vector<int> owner(blocks.node_count(), -1);

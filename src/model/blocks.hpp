@@ -16,6 +16,15 @@ struct InterfaceFace {
   int interface = -1;    ///< index into Model::interfaces
 };
 
+/// Copies of mesh nodes, consecutive in mesh-node order, then by lowest element.
+struct NodeCopies {
+  std::vector<int> corners;     ///< parallel to Mesh::corners: the copy at every element corner
+  std::vector<int> mesh_node;   ///< [copies]
+  std::vector<int> first_copy;  ///< [mesh nodes + 1]
+};
+/// Corners of a parted node are one copy where connecting faces join their elements around it. @param parted [nodes]
+NodeCopies copy_nodes(const Mesh& mesh, const std::vector<FacePair>& connecting, const std::vector<char>& parted);
+
 /// The mesh after splitting. Elements keep the mesh's order. Without interfaces block nodes are the mesh nodes.
 struct Blocks {
   std::vector<int> corners;          ///< parallel to Mesh::corners: block node of every element corner
@@ -51,7 +60,7 @@ struct ContactPoints {
   std::vector<double> area;                      ///< m^2, integral of N_i over the face; sums to the face area
   std::vector<double> normal_stiffness, shear_stiffness;  ///< Pa/m (numerics 5: f E_oed / h, f G / h, weaker side, unless given)
   std::vector<double> strength;  ///< share of the law's strength that scatter gives a face; empty: all of it everywhere
-  std::vector<double> opening;   ///< m, gap at the start; empty: all are closed
+  std::vector<double> opening;   ///< m, gap of an undeformed body, less what grout fills; empty: all are closed
   std::vector<Vec3<double>> initial_traction;    ///< Pa on side a, of the initial stress; empty: none
   int count() const { return static_cast<int>(face.size()); }
   int pair_count() const { return static_cast<int>(node_a.size()); }
@@ -70,6 +79,7 @@ struct ContactPoints {
   }
   /// What the traction of the initial stress stretches a spring by, m, and its gap at the start.
   Vec3<double> initial_gap(int c) const;
+  std::vector<double> initial_gaps() const;  ///< [3 * contact points] m; empty: none
   bool has_initial_gap() const { return !initial_traction.empty() || !opening.empty(); }
 };
 ContactPoints place_contacts(const Model& model, const Blocks& blocks);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <set>
 
+#include "model/blocks.hpp"
 #include "model/check_mesh.hpp"
 #include "model/contact/facing.hpp"
 #include "model/doubts.hpp"
@@ -35,6 +36,7 @@ class Assembly {
     complaints_.raise();
     check_mesh(mesh_, region_declared_, joined_regions());
     note_locking();
+    part_heat();
     add_surfaces();
     for (const std::string& doubt : doubts(model_)) model_.notes.push_back(doubt);
   }
@@ -168,6 +170,31 @@ class Assembly {
       if (at == mesh_.surfaces.end()) at = mesh_.surfaces.insert(at, Surface{surface.name, {}});
       for (const auto& f : surface.facets) at->facets.push_back({first_element + f.element, f.face});
     }
+  }
+
+  /// Joints that resist heat part the nodes of their sides, so that each has temperatures of its own.
+  void part_heat() {
+    std::set<std::pair<int, int>> parted;
+    for (const Interface& i : model_.interfaces)
+      if (i.resists_heat() && i.regions.size() == 2)
+        parted.insert(std::minmax(mesh_.find_region(i.regions[0]), mesh_.find_region(i.regions[1])));
+    if (parted.empty()) return;
+    std::vector<FacePair> connecting = find_faces(mesh_).inner;
+    std::erase_if(connecting, [&](const FacePair& f) {
+      return parted.contains(std::minmax(mesh_.regions[f.a.element], mesh_.regions[f.b.element]));
+    });
+    std::vector<std::set<int>> regions(mesh_.node_count());
+    for (int e = 0; e < mesh_.element_count(); ++e)
+      for (const int n : mesh_.element(e)) regions[n].insert(mesh_.regions[e]);
+    std::vector<char> between(mesh_.node_count(), 0);
+    for (int n = 0; n < mesh_.node_count(); ++n)
+      for (const auto& [a, b] : parted)
+        if (regions[n].contains(a) && regions[n].contains(b)) between[n] = 1;
+    const NodeCopies copies = copy_nodes(mesh_, connecting, between);
+    std::vector<Vec3<double>> points;
+    for (const int n : copies.mesh_node) points.push_back(mesh_.points[n]);
+    mesh_.points = std::move(points);
+    mesh_.corners = copies.corners;
   }
 
   void add_surfaces() {

@@ -144,6 +144,13 @@ class ModelCheck {
       }
       if (c.line) on_line(c, who);
       if (const auto* water = std::get_if<CrackWater>(&c.kind)) cracks(water->interfaces, c.where, who);
+      if (const auto* grout = std::get_if<Grouting>(&c.kind)) {
+        cracks(grout->interfaces, c.where, who);
+        for (const Interface& i : model_.interfaces)
+          if (i.law == SofteningInterface::name && std::ranges::count(grout->interfaces, i.name))
+            complaints_.add(c.where,
+                            who + ": '" + i.name + "' softens; only frictional and brittle joints are grouted");
+      }
       if (std::holds_alternative<Uplift>(c.kind)) uplift(c);
       if (const auto* load = std::get_if<PointLoad>(&c.kind)) inside(load->at, c.where, who);
       if (const auto* source = std::get_if<HeatSource>(&c.kind))

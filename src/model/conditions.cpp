@@ -116,4 +116,11 @@ std::vector<const Material*> materials_by_region(const Model& model) {
   return materials;
 }
 
+bool first_acts(const Model& model, int stage, const Condition& condition) {
+  for (int s = 0; s < stage; ++s)
+    for (const ActingCondition& a : acting_conditions(model, s))
+      if (a.condition == &condition) return false;
+  return true;
+}
+
 }  // namespace ashlar

@@ -25,6 +25,8 @@ struct ActingCondition {
 /// conditions given together add up. `remove` acts before `apply` of the same stage. Throws DeckError for a surface or
 /// region that does not exist.
 std::vector<ActingCondition> acting_conditions(const Model& model, int stage);
+/// Whether a condition of stage `stage` (0-based) acts in no stage before it.
+bool first_acts(const Model& model, int stage, const Condition& condition);
 /// Conditions with their numbers in time as `choose` says.
 std::vector<ActingCondition> at_moment(std::vector<ActingCondition> acting,
                                        const std::function<double(const InTime&)>& choose);

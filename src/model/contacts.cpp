@@ -120,6 +120,15 @@ Vec3<double> ContactPoints::initial_gap(int c) const {
   return opening.empty() ? gap : gap + opening[c] * normal[c];
 }
 
+std::vector<double> ContactPoints::initial_gaps() const {
+  std::vector<double> gaps;
+  for (int c = 0; c < count() && has_initial_gap(); ++c) {
+    const Vec3<double> gap = initial_gap(c);
+    gaps.insert(gaps.end(), {gap.x, gap.y, gap.z});
+  }
+  return gaps;
+}
+
 ContactPoints place_contacts(const Model& model, const Blocks& blocks) {
   const Mesh& mesh = model.mesh;
   std::vector<InterfaceConstants> constants;
@@ -152,7 +161,9 @@ ContactPoints place_contacts(const Model& model, const Blocks& blocks) {
 
   const std::vector<double> strength = strength_of_faces(model, blocks);
   const bool opens =
-      std::any_of(model.interfaces.begin(), model.interfaces.end(), [](const Interface& i) { return i.opening > 0; });
+      std::any_of(model.interfaces.begin(), model.interfaces.end(), [](const Interface& i) { return i.opening > 0; }) ||
+      std::any_of(model.conditions.begin(), model.conditions.end(),
+                  [](const Condition& c) { return std::holds_alternative<Grouting>(c.kind); });
   ContactPoints contacts;
   const auto add = [&](int f, const Vec3<double>& normal, double area, const SpringStiffness<double>& stiffness) {
     contacts.face.push_back(f);

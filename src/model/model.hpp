@@ -120,8 +120,11 @@ struct Interface {
   double tolerance =
       0;  ///< joint: distance up to which facets meshed apart are joined, m; 0: a millionth of the model's size
   double opening = 0;      ///< frictional: gap at the start, m
-  double conductance = 0;  ///< joint: of heat between faces meshed apart, W/(m^2 K); 0: almost none lost
+  double conductance = 0;  ///< joint: of heat between its faces, W/(m^2 K); 0: almost none lost
+  std::optional<double> open_conductance{};  ///< joint: where it is open, W/(m^2 K); none: see resists_heat
   Scatter scatter;         ///< of tensile strength and cohesion together
+  /// Whether its sides have temperatures of their own; open parts pass none unless open_conductance says so.
+  bool resists_heat() const { return conductance > 0 || open_conductance; }
 };
 
 // ---------------------------------------------------------------- initial stress
@@ -153,6 +156,8 @@ struct CrackWater {
   std::vector<std::string> interfaces;
   double level = 0, density = 1000, gravity = 9.81;
 };
+/// Grout fills what is open of interfaces when it first acts: they carry compression from there.
+struct Grouting { std::vector<std::string> interfaces; };
 struct Traction { Value x, y, z; };                                 ///< Pa
 struct Pressure { Value value; };                                   ///< Pa, against the outward normal
 /// Water pressure under a base, density gravity (level(x) - z) where positive. The piezometric level runs linearly in x
@@ -190,7 +195,8 @@ struct InTime {
 struct Condition {
   using Kind =
       std::variant<Fix, Displacement, Gravity, WaterPressure, Traction, Pressure, Uplift, PointLoad, FixedTemperature,
-                   Convection, Flux, HeatSource, InitialTemperature, TemperatureField, CrackWater>;
+                   Convection, Flux, HeatSource, InitialTemperature, TemperatureField, CrackWater,
+                   Grouting>;
   std::string noun;                           ///< "fix", "gravity", ... as in the deck
   std::string name;                           ///< may be empty
   Where where;
@@ -247,7 +253,7 @@ struct DynamicSolve {
   double mass_damping = 0;                    ///< Rayleigh's factor of the mass, 1/s
   double stiffness_damping = 0;               ///< Rayleigh's factor of the blocks' stiffness, s
   double time_step = 0;                       ///< s; 0: time_factor of the stable one
-  double time_factor = 0;                     ///< share of the stable step (0: 0.9); above 1 to see a motion run away
+  double time_factor = 0;                     ///< share of the stable step (0: 0.9, less where contacts separate); above 1 to see a motion run away
   double record_every = 0;                    ///< s between history rows; 0: a hundredth of the duration
 };
 

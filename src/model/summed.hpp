@@ -41,6 +41,9 @@ ASHLAR_HD Real difference(const SummedValue<Real>& a, const SummedValue<Real>& b
     return relative(a, b);
 }
 
+ASHLAR_HD double difference(double a, double b) { return a - b; }
+ASHLAR_HD float difference(float a, float b) { return a - b; }
+
 /// An array of them as kernels see it.
 template <class Real>
 struct Summed {

@@ -139,6 +139,7 @@ int add_interface(const Call& c) {
   i.values = c.fields.law_values;
   if (joint) i.tolerance = c.fields.maybe("tolerance").value_or(0);
   if (joint) i.conductance = c.fields.maybe("conductance").value_or(0);
+  if (joint) i.open_conductance = c.fields.maybe("open_conductance");
   i.opening = c.fields.number("initial_opening");
   if (i.opening > 0 && i.law != "frictional")
     c.complain("initial_opening",
@@ -231,6 +232,7 @@ Condition::Kind condition_kind(const Call& c) {
   if (noun == "water_pressure") return WaterPressure{f.number("level"), f.number("density"), f.number("gravity")};
   if (noun == "crack_water")
     return CrackWater{f.texts("of"), f.number("level"), f.number("density"), f.number("gravity")};
+  if (noun == "grouting") return Grouting{f.texts("of")};
   if (noun == "traction") return Traction{f.value("x"), f.value("y"), f.value("z")};
   if (noun == "pressure") return Pressure{f.value("value")};
   if (noun == "uplift") return uplift(c);

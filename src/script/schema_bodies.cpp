@@ -20,8 +20,8 @@ KeyRule law_key(const char* fallback) {
 }
 Keys joint_keys() {
   return {number("initial_opening", dimension::length, range::not_negative,
-                 "frictional: gap that is open at the start, such as of a contraction joint before it is grouted; it "
-                 "carries nothing until it has closed by that much")
+                 "frictional: gap that is open at the start, such as of a contraction joint before it is grouted (see "
+                 "`grouting`); it carries nothing until it has closed by that much")
               .otherwise(0),
           key("scatter", Type::choice,
               "how tensile strength and cohesion differ, together, from face to face: the distribution about what is "
@@ -162,16 +162,24 @@ std::vector<NounRule> body_nouns() {
        .doc =
            "An interface where two regions touch: their faces are tied by springs that open, slide and crack by the "
            "law. Meshes need not match there: faces that lie on each other are joined over the area that they share. "
-           "`ashlar check` shows that area, the gaps, and what found no partner.",
+           "`ashlar check` shows that area, the gaps, and what found no partner; with --to NAME.vtu also as a picture. "
+           "A "
+           "face at the joint's rim of which half or less is joined stays an outer one, loads act on all of it; of "
+           "which "
+           "more is joined it is none, loads leave it out.",
        .keys =
-           Keys{key("between", Type::names, "the two regions").need(), law_key(""),
-                number("tolerance", dimension::length, range::positive,
-                       "largest gap or overlap across which faces of meshes that do not match are joined; a millionth "
-                       "of the model's size unless given"),
-                number(
-                    "conductance", dimension::film, range::positive,
-                    "heat per area that passes between faces whose meshes do not share nodes, for each degree between "
-                    "them; ten times that of the half elements beside it unless given")} +
+           Keys{
+               key("between", Type::names, "the two regions").need(), law_key(""),
+               number("tolerance", dimension::length, range::positive,
+                      "largest gap or overlap across which faces of meshes that do not match are joined; a millionth "
+                      "of the model's size unless given"),
+               number("conductance", dimension::film, range::positive,
+                      "heat per area that passes where it is closed, for each degree between its faces. Unless this or "
+                      "`open_conductance` is given heat passes as if nothing were there (meshed apart: ten times as "
+                      "well as through the half elements beside it), open or not"),
+               number("open_conductance", dimension::film, range::not_negative,
+                      "the same where it is open, such as a film of air; 0 if only `conductance` is given. Taken as a "
+                      "thermal stage finds the joint; coupled stages look at it again with every balance")} +
            joint_keys(),
        .example =
            R"(joint "dam_base" { between = { "dam", "rock" }, law = "brittle", tensile_strength = 0.5*MPa, cohesion = 1*MPa, friction = 42*deg })",

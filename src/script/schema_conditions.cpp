@@ -75,6 +75,15 @@ std::vector<NounRule> condition_nouns() {
                 number("density", dimension::density, range::positive, "of water").otherwise(1000),
                 number("gravity", dimension::acceleration, range::positive, "strength of gravity").otherwise(9.81)},
        .example = R"(crack_water { of = { "dam_base" }, level = 55*m })"},
+      {.name = "grouting",
+       .kind = NounKind::condition,
+       .naming = Naming::optional,
+       .doc = "Grout that fills joints at the moment when it first acts, such as contraction joints of an arch dam in "
+              "winter: what is open then counts as closed from there on and carries compression and friction as it is. "
+              "What is pressed together or bonded stays as it was; the grout itself holds no tension. Frictional and "
+              "brittle joints.",
+       .keys = {key("of", Type::names, "joints and crackables that it fills").need()},
+       .example = R"(grouting { of = "dam_base" })"},
       {.name = "traction",
        .kind = NounKind::condition,
        .naming = Naming::optional,

@@ -117,8 +117,11 @@ std::vector<NounRule> stage_nouns() {
                        "between rows of histories; a hundredth of the duration unless given"),
                 number("time_step", dimension::time, range::positive,
                        "longest step; refused above the stable one; chosen unless given"),
-                number("time_factor", dimension::none, Range{0, 10, true},
-                       "share of the stable step to take, 0.9 unless given; above 1 to see a motion run away")},
+                number(
+                    "time_factor", dimension::none, Range{0, 10, true},
+                    "share of the stable step to take; 0.9 unless given, about half of that where contacts may open or "
+                    "slide, which close to the stable step draw energy from nothing; above 1 to see a motion run "
+                    "away")},
        .example =
            R"(stage "release" { solve = dynamic { duration = 2*s, mass_damping = 0.5/s, record_every = 0.01*s } })"},
       {.name = "stage",

@@ -1,5 +1,7 @@
 #include "solve/contact_states.hpp"
 
+#include <algorithm>
+
 #include "physics/interface_laws/interface_laws.hpp"
 
 namespace ashlar {
@@ -50,6 +52,19 @@ std::vector<ContactPoint> ContactReader::read() const {
     point.damage = is_cracked(point.state) ? 1 : 0;
   }
   return points;
+}
+
+std::vector<double> open_to_heat(const Problem& problem) {
+  std::vector<double> open;
+  if (std::none_of(problem.model.interfaces.begin(), problem.model.interfaces.end(),
+                   [](const Interface& i) { return i.resists_heat(); }))
+    return open;
+  const ContactReader reader(problem);
+  for (const ContactPoint& point : reader.read()) {
+    const double broken = reader.law(static_cast<int>(open.size())).softens() ? point.damage : point.bonded ? 0 : 1;
+    open.push_back(point.closed ? 0 : broken);
+  }
+  return open;
 }
 
 void fill_contact_fields(const std::vector<ContactPoint>& points, const std::vector<double>& opening,

@@ -35,6 +35,9 @@ class ContactReader {
   std::vector<SpringLaw<double>> laws_;  ///< [interfaces]
 };
 
+/// [contact points] shares of the present state through which joints that resist heat are open; empty: none resists.
+std::vector<double> open_to_heat(const Problem& problem);
+
 /// Opening, slip, tractions and state of a snapshot; `opening`: ContactPoints::opening.
 void fill_contact_fields(const std::vector<ContactPoint>& points, const std::vector<double>& opening,
                          Snapshot& snapshot);

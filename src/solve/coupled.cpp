@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "solve/contact_states.hpp"
 #include "solve/thermal.hpp"
 
 namespace ashlar {
@@ -41,6 +42,10 @@ class HeatAhead {
         return stop_ || (!lane_.beside() && links_.interrupted());
       });
     });
+  }
+  /// While it rests.
+  void open_joints(const std::vector<double>& open) {
+    lane_.run([&] { march_->open_joints(open); });
   }
   const ThermalResult& wait() {
     lane_.wait([&] { stop_ = stop_ || links_.interrupted(); });
@@ -81,6 +86,7 @@ bool march_coupled(Problem& problem, int stage, const std::vector<double>& tempe
     exchange_field(e, "heat_lane", lane.backend(), Field::temperature);
   };
   links.go_on(exchange_lanes);
+  heat.open_joints(open_to_heat(problem));
   for (;;) {
     if (i < last) heat.start(times[i], times[i + 1]);
     const auto began = Clock::now();
@@ -99,6 +105,7 @@ bool march_coupled(Problem& problem, int stage, const std::vector<double>& tempe
       return false;
     }
     links.take_over();
+    heat.open_joints(open_to_heat(problem));
     ++i;
     links.keep(exchange_lanes);
   }

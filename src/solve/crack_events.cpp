@@ -10,10 +10,9 @@ CrackEvents::CrackEvents(const Problem& problem) : problem_(problem), contacts_(
     const auto& law = contacts_.law(c);
     breakable_ = breakable_ || law.breakable;
     softens_ = softens_ || law.softens();
-    slides_ = slides_ || !law.bonded;
+    slides_ = slides_ || law.separates();
     strong_ += law.breakable || law.softens();
   }
-  slides_ = slides_ || breakable_ || softens_;
 }
 
 double CrackEvents::largest_utilisation() { return breakable_ ? problem_.backend->largest_utilisation() : 0; }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "model/loads.hpp"
+#include "solve/contact_states.hpp"
 #include "solve/crack_events.hpp"
 #include "solve/relaxation.hpp"
 #include "solve/stage_conditions.hpp"
@@ -15,6 +16,7 @@ namespace ashlar {
 namespace {
 
 constexpr double safety = 0.9;             // of the stable step, unless the deck chooses
+constexpr double switching = 2;            // finer where contacts open and close: near the limit that feeds energy in
 constexpr long look_interval = 10;         // steps between two looks at the energies
 constexpr double runaway_energy = 1000;    // kinetic energy over all that the loads could have given
 constexpr double records_per_stage = 100;  // unless the deck gives an interval
@@ -86,7 +88,7 @@ class Motion {
     };
     if (links_.go_on) links_.go_on(exchange_all);
     for (long n = done + 1; n <= steps_; ++n) {
-      evaluate();
+      evaluate(step_);
       result_.steps = n;
       const double seconds = static_cast<double>(n) * step_;
       result_.seconds = seconds;
@@ -132,7 +134,7 @@ class Motion {
     find_force_at_rest();
     backend_.run(Phase::start_motion);
     if (problem_.contacts.count() > 0) state_ = backend_.read(Field::contact_state);
-    evaluate();
+    evaluate(0);
     const MotionMeasure m = backend_.motion_sums(0);
     // The potential of the start without its temperature part, the scale that stays when nothing else acts.
     start_energy_ = m.kinetic + std::abs(m.potential - m.rest_work);
@@ -156,12 +158,14 @@ class Motion {
     backend_.write(Field::displacement, displacement);
   }
 
-  void evaluate() {
+  /// Forces at the present displacement, `step_before` after the one before.
+  void evaluate(double step_before) {
     backend_.run(Phase::block_force);
     backend_.run(Phase::gather_force);
-    if (cracks_.can_separate()) backend_.run(Phase::advance_springs);
-    backend_.run(Phase::spring_force);
     Controls controls;
+    controls.time_step = step_before;
+    if (cracks_.can_separate()) backend_.run(Phase::advance_springs, controls);
+    backend_.run(Phase::spring_force);
     controls.stiffness_damping = solve_.stiffness_damping;
     if (solve_.stiffness_damping > 0) backend_.run(Phase::damping_force, controls);
   }
@@ -314,28 +318,39 @@ StableStep stable_step(const Problem& problem, double stiffness_damping) {
   const std::vector<double> stiffness = problem.backend->read(Field::stiffness), mass = lumped_mass(problem);
   const ContactPoints& contacts = problem.contacts;
   const std::vector<int>& renumber = problem.discretisation.blocks.new_node;
-  std::vector<double> springs(mass.size());
+  const ContactReader reader(problem);
+  std::vector<double> springs(mass.size()), finer(mass.size());
   for (int c = 0; c < contacts.count(); ++c) {
     if (contacts.is_tip(c)) continue;
     const double k = contacts.area[c] * std::max(contacts.normal_stiffness[c], contacts.shear_stiffness[c]);
-    contacts.each_end(c, [&](int node, double weight) { springs[renumber[node]] += k * std::abs(weight); });
+    const double more = reader.law(c).separates() ? switching * switching : 1;
+    contacts.each_end(c, [&](int node, double weight) {
+      springs[renumber[node]] += k * std::abs(weight);
+      finer[renumber[node]] += more * k * std::abs(weight);
+    });
   }
-  double blocks = 0, between = 0;  // squares of frequencies over 4, 1/s^2
+  double blocks = 0, between = 0, resolved = 0;  // squares of frequencies over 4, 1/s^2
   for (std::size_t n = 0; n < mass.size(); ++n) {
     blocks = std::max(blocks, stiffness[n] / (4 * mass[n]));
     between = std::max(between, springs[n] / (2 * mass[n]));
+    resolved = std::max(resolved, finer[n] / (2 * mass[n]));
   }
   StableStep step;
   step.blocks = 1 / std::sqrt(blocks);
   step.springs = between > 0 ? 1 / std::sqrt(between) : 0;
-  const double undamped = 1 / std::sqrt(blocks + between), xi = stiffness_damping / undamped;
-  step.together = undamped * (std::sqrt(1 + xi * xi) - xi);
+  const auto damped = [&](double square) {
+    const double undamped = 1 / std::sqrt(square), xi = stiffness_damping / undamped;
+    return undamped * (std::sqrt(1 + xi * xi) - xi);
+  };
+  step.together = damped(blocks + between);
+  step.switching = damped(blocks + resolved);
   return step;
 }
 
 MotionSteps motion_steps(const Problem& problem, const Stage& stage) {
   const auto& solve = std::get<DynamicSolve>(stage.solve);
-  const double stable = stable_step(problem, solve.stiffness_damping).together;
+  const StableStep bounds = stable_step(problem, solve.stiffness_damping);
+  const double stable = bounds.together;
   if (solve.time_step > stable) {
     char text[200];
     std::snprintf(text, sizeof text,
@@ -344,7 +359,7 @@ MotionSteps motion_steps(const Problem& problem, const Stage& stage) {
                   solve.time_step, stable);
     throw DeckError(stage.where, "stage '" + stage.name + "': " + text);
   }
-  double longest = (solve.time_factor > 0 ? solve.time_factor : safety) * stable;
+  double longest = solve.time_factor > 0 ? solve.time_factor * stable : safety * bounds.switching;
   const int index = static_cast<int>(&stage - problem.model.stages.data());
   longest = std::min(longest, shortest_period(problem.model, index) / steps_of_period);
   if (solve.time_step > 0) longest = solve.time_step;

@@ -16,6 +16,7 @@ struct StableStep {
   double blocks = 0;    ///< 2 / omega by row sums of the blocks' stiffness over the mass, never too long
   double springs = 0;   ///< sqrt(2 m / sum k A) of the contacts, 0: no contacts
   double together = 0;  ///< of both, and with stiffness-proportional damping
+  double switching = 0;  ///< the same where contacts open, close and slide without energy from nothing
 };
 StableStep stable_step(const Problem& problem, double stiffness_damping);
 

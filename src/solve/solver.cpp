@@ -14,6 +14,7 @@
 #include "solve/dynamic.hpp"
 #include "solve/elastic_start.hpp"
 #include "solve/fracture.hpp"
+#include "solve/grouting.hpp"
 #include "solve/plan.hpp"
 #include "solve/recorder.hpp"
 #include "solve/relaxation.hpp"
@@ -80,6 +81,7 @@ class Run {
       Exchange e(*restart_.stage_start);
       exchange(e);
     } else {
+      if (warm_ && !problem_.model.stages.empty()) prescribe_temperature(problem_.model, 0, temperature_);
       if (warm_) recorder_.temperature(temperature_);
       if (!problem_.model.stages.empty()) recorder_.history_rows({0, 0, 0, false});
     }
@@ -116,6 +118,8 @@ class Run {
     e("run.balance_told", balance_told_);
     e("run.warming_used", warming_used_);
     recorder_.exchange(e);
+    e("run.opening", problem_.contacts.opening);
+    if (e.taking()) write_openings(problem_);
     for (const auto& [field, name] :
          {std::pair{Field::displacement, "displacement"}, std::pair{Field::velocity, "velocity"},
           std::pair{Field::load, "load"}, std::pair{Field::force, "force"}, std::pair{Field::fixed, "fixed"},
@@ -167,6 +171,7 @@ class Run {
     outcome_.kind = kind_of(stage());
     observer_.stage_begins(stage_ + 1, stage().name, outcome_.kind);
     if (warm_) prescribe_temperature(problem_.model, stage_, temperature_);
+    fill_with_grout(problem_, stage_);
     recorder_.motion({}, {});
     std::visit([this](const auto& how) { solve_stage(how); }, stage().solve);
     temperatures_at_end_[stage().name] = temperature_;

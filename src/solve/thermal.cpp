@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "model/loads.hpp"
+#include "solve/contact_states.hpp"
 #include "solve/time_parts.hpp"
 
 namespace ashlar {
@@ -36,7 +37,9 @@ void check_materials(const Model& model, const Stage& stage, bool transient) {
 
 /// Loads the boundary of the stage into the backend; held nodes take their temperature at once.
 /// Returns [mesh nodes, the machine's order] 1 where held.
-std::vector<double> set_boundary(const Problem& problem, Backend& backend, const ThermalBoundary& boundary) {
+/// @param open see heat_links
+std::vector<double> set_boundary(const Problem& problem, Backend& backend, const ThermalBoundary& boundary,
+                                 const std::vector<double>& open) {
   const std::vector<int>& new_node = problem.discretisation.heat.new_node;
   std::vector<double> temperature = backend.read(Field::temperature), held(new_node.size(), 0);
   for (std::size_t i = 0; i < boundary.fixed_nodes.size(); ++i) {
@@ -48,7 +51,7 @@ std::vector<double> set_boundary(const Problem& problem, Backend& backend, const
   backend.write(Field::temperature, temperature);
   backend.write(Field::heat, to_machine(problem, boundary.heat));
   backend.write_films(
-      film_matrix(boundary.films, heat_links(problem.model, problem.blocks, problem.contacts), new_node));
+      film_matrix(boundary.films, heat_links(problem.model, problem.blocks, problem.contacts, open), new_node));
   backend.run(Phase::heat_bound);
   return held;
 }
@@ -148,11 +151,11 @@ struct HeatMarch::BoundaryInTime {
   TimeParts heat, film, given;
   double begin;  ///< s, of the stage
 
-  BoundaryInTime(const Problem& problem, Backend& backend, int stage)
+  BoundaryInTime(const Problem& problem, Backend& backend, int stage, const std::vector<double>& open)
       : heat(problem.model, stage, backend, Field::heat,
              [&](const auto& acting) { return to_machine(problem, boundary_of(problem, acting).heat); }),
         film(problem.model, stage, backend, Field::film,
-             [&, links = heat_links(problem.model, problem.blocks, problem.contacts)](const auto& acting) {
+             [&, links = heat_links(problem.model, problem.blocks, problem.contacts, open)](const auto& acting) {
                const std::vector<int>& new_node = problem.discretisation.heat.new_node;
                return film_matrix(boundary_of(problem, acting).films, links, new_node).value;
              }),
@@ -175,17 +178,31 @@ struct HeatMarch::BoundaryInTime {
   }
 };
 
-HeatMarch::HeatMarch(const Problem& problem, Backend& backend, int stage) : backend_(backend) {
+HeatMarch::HeatMarch(const Problem& problem, Backend& backend, int stage)
+    : problem_(problem), backend_(backend), stage_(stage) {
   const Model& model = problem.model;
   check_materials(model, model.stages[stage], true);
-  const std::vector<double> held = set_boundary(problem, backend, first_boundary(problem, stage));
+  const std::vector<double> held = set_boundary(problem, backend, first_boundary(problem, stage), {});
   const Mesh& mesh = model.mesh;
   std::vector<double> capacity = to_machine(problem, lumped_capacity(model, mesh.corners, mesh.node_count()));
   longest_ = std::min({largest_step(backend, held, capacity), duration_of(model.stages[stage]) / least_steps,
                        shortest_period(model, stage) / steps_of_period});
   for (double& c : capacity) c = 1 / c;
   backend.write(Field::inverse_capacity, capacity);
-  boundary_ = std::make_unique<BoundaryInTime>(problem, backend, stage);
+  const std::vector<double> open = open_to_heat(problem);
+  boundary_ = std::make_unique<BoundaryInTime>(problem, backend, stage, open);
+  open_joints(open);
+}
+
+void HeatMarch::open_joints(const std::vector<double>& open) {
+  if (open.empty() || open == open_) return;
+  open_ = open;
+  boundary_.reset();  // which takes its parts from the machine
+  const std::vector<HeatLink> links = heat_links(problem_.model, problem_.blocks, problem_.contacts, open);
+  backend_.write(
+      Field::film,
+      film_matrix(first_boundary(problem_, stage_).films, links, problem_.discretisation.heat.new_node).value);
+  boundary_ = std::make_unique<BoundaryInTime>(problem_, backend_, stage_, open);
 }
 
 HeatMarch::~HeatMarch() = default;
@@ -226,19 +243,13 @@ ThermalResult HeatMarch::march(double from, double to, const ThermalWatch& watch
 
 void prescribe_temperature(const Model& model, int stage, std::vector<double>& temperature) {
   const Mesh& mesh = model.mesh;
-  const auto acted_before = [&](const Condition* condition) {
-    for (int s = 0; s < stage; ++s)
-      for (const ActingCondition& a : acting_conditions(model, s))
-        if (a.condition == condition) return true;
-    return false;
-  };
   const double time = stage_times(model)[stage].begin;
   for (const ActingCondition& a : acting_conditions(model, stage)) {
     const Condition now = with_numbers(*a.condition, [&](const InTime& number) { return number.table.at(time); });
     if (const auto* field = std::get_if<TemperatureField>(&now.kind))
       for (int n = 0; n < mesh.node_count(); ++n) temperature[n] = field->value(mesh.points[n]);
     const auto* initial = std::get_if<InitialTemperature>(&a.condition->kind);
-    if (!initial || acted_before(a.condition)) continue;
+    if (!initial || !first_acts(model, stage, *a.condition)) continue;
     std::vector<char> chosen(mesh.node_count(), initial->regions.empty());
     for (const std::string& region : initial->regions) {
       const int r = mesh.find_region(region);
@@ -275,7 +286,7 @@ void set_up_steady(Problem& problem, int stage_index) {
     throw DeckError(stage.where, "stage '" + stage.name +
                                      "': a steady temperature needs a fixed_temperature or a convection somewhere; "
                                      "without one every level of temperature is in balance");
-  set_boundary(problem, *problem.backend, boundary);
+  set_boundary(problem, *problem.backend, boundary, open_to_heat(problem));
 }
 
 }  // namespace

@@ -55,12 +55,17 @@ class HeatMarch {
   ~HeatMarch();
   /// Times are s since the stage began. @param done steps on the way that have been made
   ThermalSteps steps(double from, double to) const;
+  /// Joints that resist heat pass from now on what their open shares let pass (open_to_heat; empty: none resists).
+  void open_joints(const std::vector<double>& open);
   ThermalResult march(double from, double to, const ThermalWatch& watch = {}, long done = 0);
 
  private:
   struct BoundaryInTime;
+  const Problem& problem_;
   Backend& backend_;
-  double longest_;  ///< s, of a step
+  int stage_;
+  double longest_;            ///< s, of a step
+  std::vector<double> open_;  ///< see open_joints
   std::unique_ptr<BoundaryInTime> boundary_;
 };
 

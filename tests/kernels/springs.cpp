@@ -125,14 +125,15 @@ TEST(springs, a_motion_books_the_fracture_energy_of_what_softens_and_water_follo
   springs.laws = {{.tensile_strength = 2e6, .cohesion = 3e6, .bonded = true, .fracture_energy = 100}};
   springs.add(0, 1, {0, 0, 1}, 0.25, 1e12, 1e12);
   springs.link(2);
-  std::vector<double> damage(1), water{5e4}, dissipation(3), u(6);
+  std::vector<double> damage(1), water{5e4}, dissipation(3), u(6), v{0, 0, 0, 0, 0, 1e-3};
   auto view = springs.view();
   view.damage = damage.data(), view.water = water.data();
   for (int step = 0; step <= 120; ++step) {
     u[5] = step * 1e-6;
     SpringForce<double>{view, {u.data()}}(0);
     const double line = step <= 2 ? step * 1e6 : step < 100 ? 2e6 * (100 - step) / 98 : 0;
-    AdvanceSprings<double>{{view, {u.data()}, springs.slip.data(), damage.data()}, dissipation.data()}(0);
+    AdvanceSprings<double>{view,          {u.data()},        v.data(), step > 0 ? 1e-3 : 0, springs.slip.data(),
+                           damage.data(), dissipation.data()}(0);
     EXPECT_NEAR(springs.force[2], 0.25 * (line - damage[0] * 5e4), 1e-3);
   }
   EXPECT_EQ(springs.state[0], ContactState::cracked_in_tension);

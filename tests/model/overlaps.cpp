@@ -106,5 +106,28 @@ TEST(overlaps, identical_faces_meshed_apart_get_the_node_pairs_of_faces_that_sha
   expect_exact(t, 1e-12);
 }
 
+TEST(overlaps, a_joint_that_resists_heat_parts_the_nodes_of_its_sides_where_nothing_else_joins_them) {
+  Model model;
+  model.boxes = {{"under", {}, {0, 0, 0}, {1, 1, 1}, {2, 1, 1}},
+                 {"over", {}, {0, 0, 1}, {1, 1, 2}, {2, 1, 1}},
+                 {"beside", {}, {1, 0, 0}, {2, 1, 2}, {1, 1, 2}}};
+  model.materials = {test::elastic({"under", "over", "beside"}, 30e9, 0.2)};
+  model.interfaces = {test::interface_of(false, {"under", "over"})};
+  build_mesh(model);
+  EXPECT_EQ(model.mesh.node_count(), 24);
+  model.interfaces[0].conductance = 5;
+  build_mesh(model);
+  EXPECT_EQ(model.mesh.node_count(), 28);  // those of its edge belong to the third body too
+  const Blocks blocks = split_blocks(model, find_faces(model.mesh));
+  EXPECT_EQ(blocks.faces.size(), 2u);
+  const ContactPoints contacts = place_contacts(model, blocks);
+  const std::vector<HeatLink> links = heat_links(model, blocks, contacts, {});
+  EXPECT_EQ(contacts.pair_count(), 8);
+  ASSERT_EQ(links.size(), 6u);
+  for (const HeatLink& link : links) EXPECT_NEAR(link.conductance, 5 * 0.125, 1e-12);
+  for (const HeatLink& link : heat_links(model, blocks, contacts, std::vector<double>(8, 0.8)))
+    EXPECT_NEAR(link.conductance, 0.2 * 5 * 0.125, 1e-12);
+}
+
 }  // namespace
 }  // namespace ashlar

@@ -129,6 +129,7 @@ Model dam(const char* file, Blocks blocks) {
       i.values["tensile_strength"] = 1e6;
       i.values["cohesion"] = 2e6;
     }
+    if (blocks == Blocks::cracked) i.opening = 1e-5;
     m.interfaces = {i};
   }
   m.stages.resize(1);
@@ -261,9 +262,14 @@ std::vector<double> move(const Problem& p, Backend& b, int steps) {
   controls.stiffness_damping = 1e-5;
   MotionMeasure m;
   for (int step = 0; step < steps; ++step) {
+    if (step == steps / 2 && b.size(Field::initial_gap) > 0) {  // grouted
+      std::vector<double> gap = b.read(Field::initial_gap);
+      for (double& g : gap) g *= 0.5;
+      b.write(Field::initial_gap, gap);
+    }
     b.run(Phase::block_force);
     b.run(Phase::gather_force);
-    b.run(Phase::advance_springs);
+    b.run(Phase::advance_springs, controls);
     b.run(Phase::spring_force);
     b.run(Phase::damping_force, controls);
     if (step + 1 == steps) m = b.motion_sums(controls.time_step);

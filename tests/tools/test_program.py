@@ -13,6 +13,7 @@ import sys
 import tempfile
 import time
 import unittest
+from xml.etree import ElementTree
 
 PROGRAM = pathlib.Path(sys.argv.pop() if len(sys.argv) > 1 else "build/ashlar").resolve()
 
@@ -256,6 +257,33 @@ class Program(unittest.TestCase):
                       "right: 1 facet, 1 m^2, traction", "estimate"):
             self.assertIn(words, answer.stdout)
         self.assertEqual([p.name for p in self.folder.iterdir()], ["bar.lua"])
+
+    def test_check_writes_the_interfaces_before_anything_is_solved(self):
+        self.deck("""box "foot" { from = {0,0,-1*m}, to = {2.5*m,1*m,0}, cells = {3,1,1} }
+            material "rock" { region = "foot", density = 2600, young = 50*GPa, poisson = 0 }
+            joint "bed" { between = { "foot", "bar" }, law = "elastic" }""")
+        answer = self.ashlar("check", "bar.lua", "--to", "bed.vtu")
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertIn("1 face covered in part, 0.5 m^2 of them free", answer.stdout)
+        grid = ElementTree.parse(self.folder / "bed.vtu").getroot()
+        cells = {array.get("Name"): array.text.split() for array in grid.iter("DataArray")}
+        area = {match: sum(float(a) for a, m in zip(cells["area"], cells["match"]) if m == match) for match in "0123"}
+        self.assertEqual({match: round(a, 9) for match, a in area.items()}, {"0": 0, "1": 2.5, "2": 0.5, "3": 0})
+        self.assertEqual(set(cells["gap"]), {"0"})
+        self.assertEqual(len(cells["offsets"]), len(cells["area"]))
+        self.assertEqual(bytes(int(c) for c in cells["interface_names"]), b"bed\0")
+        self.assertEqual(self.ashlar("check", "bar.lua", "--to", "bed.vtu").returncode, 2)
+        self.assertEqual(self.ashlar("check", "bar.lua", "--to", "bed.vtk", "--force").returncode, 2)
+
+    def test_histories_begin_with_the_initial_temperature(self):
+        self.deck("""initial_temperature { value = 25*degC }
+            history "middle" { at = {2,0.5,0.5}, record = { "temperature" } }
+            stage "heat" { apply = { fixed_temperature { surface = "left", value = 20*degC } },
+              solve = thermal { duration = 60*s } }""")
+        self.assertEqual(self.ashlar("run", "bar.lua").returncode, 0)
+        rows = [line for line in (self.folder / "bar.run/history_middle.csv").read_text(encoding="utf-8").splitlines()
+                if not line.startswith("#")]
+        self.assertEqual(float(rows[1].split(",")[rows[0].split(",").index("temperature [degC]")]), 25)
 
     def test_check_knows_the_steps_of_stages_in_time(self):
         self.deck('''stage "shake" { solve = dynamic { duration = 0.1, record_every = 0.1 } }

@@ -49,7 +49,7 @@ stage "rest" { solve = static { tolerance = 1e-6 } }
 stage "warm" { apply = { fixed_temperature { surface = "sides", value = 30*degC } }, solve = thermal { steady = true } }
 stage "cold" { apply = { fixed_temperature { surface = "over.top", value = -30*degC } }, solve = thermal { steady = true } }
 stage "cracks" { solve = fracture { from = "warm", to = "cold", increments = 8, tolerance = 1e-6 } }
-stage "after" { apply = { pressure { surface = "over.top", value = 0.2*MPa } },
+stage "after" { apply = { pressure { surface = "over.top", value = 0.2*MPa }, grouting { of = "joint" } },
   solve = static { tolerance = 1e-6, increments = 4 } }
 """
 SHAKE = """

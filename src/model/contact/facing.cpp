@@ -26,7 +26,7 @@ struct Side {
   Vec3<double> area, centre;
   double size = 0;     ///< root of the area, m
   double covered = 0;  ///< m^2
-  bool too_far = false;
+  double too_far = 0;  ///< m, to the nearest face beyond the tolerance
 
   Side(const Mesh& mesh, const Facet& f)
       : facet(f),
@@ -113,8 +113,13 @@ class JointSearch {
     for (const auto* list : {&one, &other})
       for (const Side& s : *list) {
         const double share = s.covered / (s.size * s.size);
-        if (share > 0 && share < whole) ++match_.partly_covered;
-        if (s.too_far && share == 0) ++match_.too_far;
+        const double free = s.size * s.size - s.covered;
+        const bool part = share > 0 && share < whole, apart = s.too_far != 0 && share == 0;
+        if (part) ++match_.partly_covered;
+        if (apart) ++match_.too_far;
+        if (part || apart) match_.unmatched.push_back({s.facet, free, apart ? s.too_far : 0});
+        if (part && share > half) match_.inner_free += free;
+        if (part && share <= half) match_.outer_joined += s.covered;
         if (share > half) found_.covered.push_back({s.facet, interface_});
       }
   }
@@ -167,11 +172,12 @@ class JointSearch {
       middle = middle + (1 / double(shared.size())) * overlap.polygon.back();
     }
     const auto gap_at = [&](const Vec3<double>& x) { return dot(b.position(x) - a.position(x), normal); };
-    const double gap = gap_at(middle);
+    const double gap = overlap.gap = gap_at(middle);
     if (std::abs(gap) > tolerance_) {
       if (std::abs(gap) > reach(a) && std::abs(gap) > reach(b)) return;
       if (match_.too_far_by == 0 || std::abs(gap) < std::abs(match_.too_far_by)) match_.too_far_by = gap;
-      a.too_far = b.too_far = true;
+      for (Side* s : {&a, &b})
+        if (s->too_far == 0 || std::abs(gap) < std::abs(s->too_far)) s->too_far = gap;
       return;
     }
     for (const Vec3<double>& corner : overlap.polygon) {

@@ -7,7 +7,8 @@
 
 namespace ashlar {
 
-std::vector<HeatLink> heat_links(const Model& model, const Blocks& blocks, const ContactPoints& contacts) {
+std::vector<HeatLink> heat_links(const Model& model, const Blocks& blocks, const ContactPoints& contacts,
+                                 const std::vector<double>& open) {
   constexpr double better = 10;  // than half of the elements beside it: hardly felt, and time steps stay long
   const Mesh& mesh = model.mesh;
   const std::vector<const Material*> materials = materials_by_region(model);
@@ -17,7 +18,6 @@ std::vector<HeatLink> heat_links(const Model& model, const Blocks& blocks, const
   };
 
   std::vector<HeatLink> links;
-  std::vector<char> used(model.interfaces.size(), 0);
   for (int c = 0; c < contacts.count(); ++c) {
     HeatLink link;
     contacts.each_end(c, [&](int node, double weight) {
@@ -25,22 +25,19 @@ std::vector<HeatLink> heat_links(const Model& model, const Blocks& blocks, const
       link.weights.push_back(weight);
     });
     if (link.nodes.size() == 2 && link.nodes[0] == link.nodes[1]) continue;
-    used[contacts.interface[c]] = 1;
-    const double given = model.interfaces[contacts.interface[c]].conductance;
+    const Interface& joint = model.interfaces[contacts.interface[c]];
     const InterfaceFace& face = blocks.faces[contacts.face[c]];
     const double own = better * std::min(conductivity(face.a), conductivity(face.b)) /
                        (half_height(face.a) + half_height(face.b));
-    link.conductance = contacts.area[c] * (given > 0 ? given : own);
+    const double closed = joint.conductance > 0 ? joint.conductance : own;
+    double passes = closed;
+    if (joint.resists_heat()) {
+      const double apart = joint.open_conductance.value_or(0);
+      passes = open.empty() ? std::max(closed, apart) : closed + open[c] * (apart - closed);
+    }
+    link.conductance = contacts.area[c] * passes;
     links.push_back(std::move(link));
   }
-  Complaints complaints;
-  for (std::size_t i = 0; i < used.size(); ++i)
-    if (model.interfaces[i].conductance > 0 && !used[i])
-      complaints.add(model.interfaces[i].where,
-                     "joint '" + model.interfaces[i].name +
-                         "': 'conductance' has no effect, because its faces share their nodes and conduct as one body; "
-                         "leave it out");
-  complaints.raise();
   return links;
 }
 

@@ -14,8 +14,10 @@ struct HeatLink {
 };
 
 /// Of contact points whose sides have no mesh node in common; what shares its nodes conducts as one body. By the joint's
-/// conductance, or so well that half an element beside it resists ten times more. Throws DeckError: a conductance given
-/// where all faces share their nodes.
-std::vector<HeatLink> heat_links(const Model& model, const Blocks& blocks, const ContactPoints& contacts);
+/// conductance, or so well that half an element beside it resists ten times more. Of a joint that resists heat, open
+/// shares pass by its open_conductance.
+/// @param open [contact points] open share of each; empty: whatever passes more
+std::vector<HeatLink> heat_links(const Model& model, const Blocks& blocks, const ContactPoints& contacts,
+                                 const std::vector<double>& open);
 
 }  // namespace ashlar

@@ -56,6 +56,28 @@ void check_corners(const FacetSurface& surface, double feature_angle, const Wher
   complaints.raise();
 }
 
+/// Elements follow the edges of facets, however short: those that nobody meant would make elements as small.
+void check_sizes(const FacetSurface& surface, double size, const Where& where, const std::string& title) {
+  constexpr double least = 1e-4;  // of an element's edge
+  constexpr int most = 10;
+  int tiny = 0;
+  Complaints complaints;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    const auto &p = surface.points[a], &q = surface.points[b], &r = surface.points[c];
+    const double longest = std::max({norm(q - p), norm(r - q), norm(p - r)});
+    if (longest < least * size && ++tiny <= most)
+      complaints.add(where, title + ": facet " + std::to_string(surface.facets[t]) + " at " +
+                                place_text((1.0 / 3) * (p + q + r)) + " is tiny: no edge is longer than " +
+                                number_text(longest) +
+                                " m, a ten-thousandth of 'size' or less, and elements would be " + "as small there");
+  }
+  if (tiny > most) complaints.add(where, title + ": ... and " + std::to_string(tiny - most) + " more");
+  if (tiny > 0)
+    complaints.add(where, title + ": remove tiny facets where the surface was made, or make 'size' smaller");
+  complaints.raise();
+}
+
 }  // namespace
 
 Tetrahedra mesh_solid(const Solid& solid, std::vector<std::string>& notes) {
@@ -63,6 +85,7 @@ Tetrahedra mesh_solid(const Solid& solid, std::vector<std::string>& notes) {
   auto surface = solid.surface;
   if (check_closed(surface, solid.where, title + ": " + solid.file))
     notes.push_back(title + ": the facets of " + solid.file + " look inwards; they are taken the other way round");
+  check_sizes(surface, solid.size, solid.where, title + ": " + solid.file);
   check_corners(surface, solid.feature_angle, solid.where, title + ": " + solid.file);
 
   const double volume = enclosed_volume(surface);

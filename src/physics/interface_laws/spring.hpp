@@ -50,6 +50,8 @@ struct SpringLaw {
   ASHLAR_HD bool holds(ContactState state) const { return bonded && state == ContactState::intact; }
   ASHLAR_HD bool can_break(ContactState state) const { return breakable && state == ContactState::intact; }
   ASHLAR_HD bool softens() const { return fracture_energy > Real(0); }
+  /// Whether its contact points can open or slide, at once or after they have cracked.
+  ASHLAR_HD bool separates() const { return !bonded || breakable || softens(); }
 };
 
 /// Pa/m.
