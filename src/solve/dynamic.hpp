@@ -17,7 +17,9 @@ struct StableStep {
   double springs = 0;   ///< sqrt(2 m / sum k A) of the contacts, 0: no contacts
   double together = 0;  ///< of both, and with stiffness-proportional damping
 };
-StableStep stable_step(const Problem& problem, double stiffness_damping);
+/// @param damping stiffness-proportional, s
+/// @param large whether contacts are those of large displacement
+StableStep stable_step(const Problem& problem, double damping, bool large = false);
 
 /// Equal steps of a stage, as long as they may be. Throws DeckError: a time step of the deck above the stable one.
 struct MotionSteps {
