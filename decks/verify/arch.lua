@@ -1,13 +1,13 @@
 -- Case arch: a semicircular arch of voussoirs under its own weight stands or falls with its thickness.
 -- Source: thrust line inside the arch: it stands if thickness / mean radius is at least 0.1075 (Milankovitch 1907;
 --         Ochsendorf 2006).
--- Accept: at 0.12 the crown comes to rest less than 1 % of the radius down, at 0.095 it falls; energy drifts by less than
---         1e-3 of its peak.
+-- Accept: at 0.12 the crown comes to rest less than 1 % of the radius down, at 0.095 it falls; energy drifts by less
+--         than 1e-3 of its peak.
 -- Runs: thickness=0.12 | thickness=0.095
 local args = deck.args { thickness = { default = 0.12, doc = "over the mean radius" } }
 local radius, voussoirs, width, g = 1, 28, 0.2, 9.81
 local thickness = args.thickness * radius
-local ramp, duration = 0.2, 2.5  -- s
+local ramp, duration = 0.2, 1.5  -- s
 
 -- x of the straight box: angle from the left springing; z: radius.
 local function bent_x(x, y, z) return -z * math.cos(x) end

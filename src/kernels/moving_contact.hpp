@@ -74,51 +74,43 @@ struct MoveContact {
   ASHLAR_HD void operator()(int p) const {
     ProbeMemory<Real> now = contacts.memory[p];
     const Foot foot = nearest(p, now);
+    const double stored_before = stored(now);
+    const bool fresh = now.triangle == Real(-2), touches = foot.candidate >= 0;
+    const int law_index = touches ? contacts.law[foot.candidate] : -1;
     double lost = 0;
-    const double stored_before = contacts.stored[p];
-    const int law_index = foot.candidate < 0 ? -1 : contacts.law[foot.candidate];
-    const bool looked = now.triangle != Real(-2);
-    if (foot.candidate < 0 || (looked && (now.triangle < Real(0) || now.law != Real(law_index)))) {
+    if (!fresh && (!touches || now.triangle < Real(0) || now.law != Real(law_index))) {
       lost += stored_before;
       now.pressed = 0;
       now.shear = {};
       now.offset = foot.gap < Real(0) ? foot.gap : Real(0);
     }
     Vec3<Real> force, resisting;
-    double stored = 0;
     now.triangle = Real(-1);
-    if (foot.candidate >= 0) {
+    if (touches) {
       now.triangle = Real(contacts.triangle[foot.candidate]);
       now.law = Real(law_index);
       if (now.pressed == Real(0)) now.area = contacts.area[foot.candidate];
       const MovingLaw<Real> law = contacts.laws[law_index];
-      const Vec3<Real> speed = relative_speed(p, foot);
-      const Real along = dot(speed, foot.normal);
-
-      if (foot.gap > now.offset) now.offset = foot.gap < Real(0) ? foot.gap : Real(0);
-      now.pressed = now.offset - foot.gap;
-      if (now.pressed < Real(0)) now.pressed = 0;
       const Real normal_stiffness = law.normal_stiffness * now.area, shear_stiffness = law.shear_stiffness * now.area;
+      const Vec3<Real> speed = relative_speed(p, foot), sliding = flat(speed, foot.normal);
+      lost += press(now, foot, Real(2) * step * norm(speed), fresh, normal_stiffness);
       const Real push = normal_stiffness * now.pressed, limit = push * law.tan_friction;
 
-      const Vec3<Real> before = flat(now.shear, foot.normal);
+      const Vec3<Real> before = flat(now.shear, foot.normal), trial = before + step * sliding;
       const Real turned = dot(now.shear, now.shear) - dot(before, before);
-      const Vec3<Real> trial = before + step * flat(speed, foot.normal);
       const Real size = shear_stiffness * norm(trial);
       const bool slides = size > limit;
       now.shear = slides ? (limit / size) * trial : trial;
       const Real slid = dot(before + now.shear, trial - now.shear);
       lost += 0.5 * double(shear_stiffness) * (double(turned) + double(slid));
       force = push * foot.normal - shear_stiffness * now.shear;
-      stored = 0.5 * (double(push) * double(now.pressed) +
-                      double(shear_stiffness) * double(dot(now.shear, now.shear)));
 
       if (damping > Real(0) && now.pressed > Real(0)) {
-        Real resists = -damping * normal_stiffness * along;
+        Real resists = -damping * normal_stiffness * dot(speed, foot.normal);
         if (resists < -push) resists = -push;  // nothing pulls
         resisting = resists * foot.normal;
         if (!slides) {
-          const Vec3<Real> drag = (-damping * shear_stiffness) * flat(speed, foot.normal);
+          const Vec3<Real> drag = (-damping * shear_stiffness) * sliding;
           const Real room = limit - size, wanted = norm(drag);
           resisting = resisting + (wanted > room ? room / wanted : Real(1)) * drag;
         }
@@ -126,7 +118,7 @@ struct MoveContact {
     }
     contacts.memory[p] = now;
     contacts.active[p] = foot.candidate;
-    contacts.stored[p] = stored;
+    contacts.stored[p] = stored(now);
     contacts.lost[p] += lost;
     for (int i = 0; i < 3; ++i) {
       contacts.weight[3 * p + i] = foot.weight[i];
@@ -136,6 +128,25 @@ struct MoveContact {
   }
 
  private:
+  /// J
+  ASHLAR_HD double stored(const ProbeMemory<Real>& m) const {
+    if (m.triangle < Real(0)) return 0;
+    const MovingLaw<Real> law = contacts.laws[int(m.law)];
+    const double normal = double(law.normal_stiffness) * double(m.pressed) * double(m.pressed);
+    return 0.5 * double(m.area) * (normal + double(law.shear_stiffness) * double(dot(m.shear, m.shear)));
+  }
+  /// The depth beyond the offset at the present gap. It changes by what can have moved in the step: where the probe has
+  /// come to a triangle that lies another way it begins without force, and what it stored beyond is lost, J.
+  ASHLAR_HD double press(ProbeMemory<Real>& now, const Foot& foot, Real moved, bool fresh, Real stiffness) const {
+    const Real before = now.pressed;
+    if (foot.gap > now.offset) now.offset = foot.gap < Real(0) ? foot.gap : Real(0);
+    const Real most = before + moved + Real(1e-9) * contacts.reach;
+    if (!fresh && now.offset - foot.gap > most) now.offset = foot.gap + most;
+    now.pressed = now.offset - foot.gap;
+    if (now.pressed < Real(0)) now.pressed = 0;
+    if (fresh || before - now.pressed <= moved + Real(1e-9) * contacts.reach) return 0;
+    return 0.5 * double(stiffness) * (double(before) * double(before) - double(now.pressed) * double(now.pressed));
+  }
   ASHLAR_HD static Vec3<Real> flat(const Vec3<Real>& a, const Vec3<Real>& n) { return a - dot(a, n) * n; }
   /// From the probe's node to another one.
   ASHLAR_HD Vec3<Real> way(int from, int to) const {

@@ -43,8 +43,12 @@ std::vector<int> interface_of_regions(const Model& model) {
   for (int a = 0; a < regions; ++a)
     for (int b = 0; b < regions; ++b)
       if (crackable[a] >= 0) claim(a, b, crackable[a]);
-  for (int a = 0; a < regions; ++a)
-    for (int b = 0; b < regions && of[a * regions + a] < 0; ++b) of[a * regions + a] = of[a * regions + b];
+  for (int a = 0; a < regions; ++a) {
+    int first = of[a * regions + a];
+    for (int b = 0; b < regions && crackable[a] < 0; ++b)
+      if (const int i = of[a * regions + b]; i >= 0 && (first < 0 || i < first)) first = i;
+    of[a * regions + a] = first;
+  }
   return of;
 }
 

@@ -39,9 +39,18 @@ ASHLAR_HD void add_traction(const Sym3<V>& s, const Vec3<V>& n, Vec3<V>& p) {
   p.z = fma(s.zz, n.z, fma(s.yz, n.y, fma(s.zx, n.x, p.z)));
 }
 
-/// The same where the element turns and moves far: `stress` takes Green's strain and gives the second Piola-Kirchhoff
-/// stress, both in axes that turn with the element, and the force goes through the deformation gradient. It may have
-/// `stress.volume(volume of the point)`, called after its stress.
+/// p += F sigma n, where F is 1 and the displacement's derivatives along x, y and z.
+template <class V>
+ASHLAR_HD void add_turned_traction(const Sym3<V>& s, const Vec3<V>& n, const Vec3<V> (&along)[3], Vec3<V>& p) {
+  Vec3<V> t{V(Scalar<V>(0)), V(Scalar<V>(0)), V(Scalar<V>(0))};
+  add_traction(s, n, t);
+  for (int i = 0; i < 3; ++i)
+    p[i] = fma(along[2][i], t.z, fma(along[1][i], t.y, fma(along[0][i], t.x, p[i] + t[i])));
+}
+
+/// The force of one Gauss point where the element turns and moves far: `stress` takes Green's strain and gives the second Piola-Kirchhoff
+/// stress, both in axes that turn with the element, and the force goes through the deformation gradient. `stress` may
+/// have `stress.volume(volume of the point)`, called after its stress.
 template <class V, class Stress>
 ASHLAR_HD void turning_point_force(int gauss, const V& weight, const Jacobian<V>& j, const Vec3<V>& ha,
                                    const Vec3<V>& hb, const Vec3<V>& hc, Stress& stress, Vec3<V>& pa, Vec3<V>& pb,
@@ -58,16 +67,9 @@ ASHLAR_HD void turning_point_force(int gauss, const V& weight, const Jacobian<V>
   Sym3<V> s = stress(gauss, strain);
   if constexpr (requires { stress.volume(j.det); }) stress.volume(j.det * weight);
   for (int i = 0; i < 6; ++i) s[i] = s[i] * weight;
-  const Vec3<V> zero{V(Scalar<V>(0)), V(Scalar<V>(0)), V(Scalar<V>(0))};
-  const auto add_turned = [&](const Vec3<V>& n, Vec3<V>& p) {
-    Vec3<V> t = zero;
-    add_traction(s, n, t);
-    for (int i = 0; i < 3; ++i)
-      p[i] = fma(along[2][i], t.z, fma(along[1][i], t.y, fma(along[0][i], t.x, p[i] + t[i])));
-  };
-  add_turned(j.bc, pa);
-  add_turned(j.ca, pb);
-  add_turned(j.ab, pc);
+  add_turned_traction(s, j.bc, along, pa);
+  add_turned_traction(s, j.ca, along, pb);
+  add_turned_traction(s, j.ab, along, pc);
 }
 
 /// One Gauss point of the element force: strain, law, traction through the three parametric directions.
