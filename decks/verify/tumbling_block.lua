@@ -48,12 +48,15 @@ gravity { z = -g }
 stage "fall" {
   solve = dynamic { duration = 1.5*s, large_displacement = true, contact_damping = 1e-4*s, record_every = 0.01*s },
 }
-stage "rest" { solve = dynamic { duration = 1.5*s, large_displacement = true, contact_damping = 1e-4*s, mass_damping = 2/s } }
+stage "rest" {
+  solve = dynamic { duration = 1.5*s, large_displacement = true, contact_damping = 1e-4*s, mass_damping = 2/s },
+}
 history "centre" { at = centre, record = { "displacement", "velocity" } }
 history "ground" { surface = "held", record = { "reaction" } }
 
 expect "centre" {
-  history = "centre", component = "displacement.z", stage = "rest", value = side / 2 - centre[3], tolerance = side / 100,
+  history = "centre", component = "displacement.z", stage = "rest", value = side / 2 - centre[3],
+  tolerance = side / 100,
 }
 local held = density * (2 * 2 * 0.1 + (args.start == "spike" and (side / 2) ^ 3 or 0)) * g
 expect "weight" {

@@ -28,34 +28,34 @@ inline constexpr int probe_numbers = 8;
 template <class Real>
 struct MovingContactView {
   int probe_count = 0, node_count = 0;
-  const Real* x = nullptr;                 ///< [3 * block nodes] m, undeformed
-  const int* probe_node = nullptr;         ///< [probes]
-  const int* corner = nullptr;             ///< [3 * triangles] block nodes, counter-clockwise from outside
-  const MovingLaw<Real>* laws = nullptr;   ///< [interfaces]
-  const int* first = nullptr;              ///< [probes + 1] into the candidates
-  const int* triangle = nullptr;           ///< [candidates]
-  const int* law = nullptr;                ///< [candidates] index into laws
-  const Real* area = nullptr;              ///< [candidates] m^2, what the probe presses with on this triangle
-  Real reach = 0;                          ///< m, depth up to which a node is behind a triangle
-  ProbeMemory<Real>* memory = nullptr;     ///< [probes]
-  int* active = nullptr;                   ///< [probes] candidate that the probe is at; -1: none
-  Real* weight = nullptr;                  ///< [3 * probes] shape functions of that triangle
-  Real* force = nullptr;                   ///< [3 * probes] N, on the node
-  Real* resisting = nullptr;               ///< [3 * probes] N on the node, by damping
-  double* stored = nullptr;                ///< [probes] J
-  double* lost = nullptr;                  ///< [probes] J since the stage began: friction, contacts that ended pressed
+  const Real* x = nullptr;                ///< [3 * block nodes] m, undeformed
+  const int* probe_node = nullptr;        ///< [probes]
+  const int* corner = nullptr;            ///< [3 * triangles] block nodes, counter-clockwise from outside
+  const MovingLaw<Real>* laws = nullptr;  ///< [interfaces]
+  const int* first = nullptr;             ///< [probes + 1] into the candidates
+  const int* triangle = nullptr;          ///< [candidates]
+  const int* law = nullptr;               ///< [candidates] index into laws
+  const Real* area = nullptr;             ///< [candidates] m^2, what the probe presses with on this triangle
+  Real reach = 0;                         ///< m, depth up to which a node is behind a triangle
+  ProbeMemory<Real>* memory = nullptr;    ///< [probes]
+  int* active = nullptr;                  ///< [probes] candidate that the probe is at; -1: none
+  Real* weight = nullptr;                 ///< [3 * probes] shape functions of that triangle
+  Real* force = nullptr;                  ///< [3 * probes] N, on the node
+  Real* resisting = nullptr;              ///< [3 * probes] N on the node, by damping
+  double* stored = nullptr;               ///< [probes] J
+  double* lost = nullptr;                 ///< [probes] J since the stage began: friction, contacts that ended pressed
 
   /// Where a node touches what: entries node_first[i] .. node_first[i+1]-1.
-  const int* node = nullptr;        ///< [nodes with entries]
-  const int* node_first = nullptr;  ///< [nodes with entries + 1]
+  const int* node = nullptr;             ///< [nodes with entries]
+  const int* node_first = nullptr;       ///< [nodes with entries + 1]
   const int* entry_probe = nullptr;      ///< [entries]
   const int* entry_candidate = nullptr;  ///< [entries] counted when the probe is at it; -1: the node is the probe's own
   const int* entry_corner = nullptr;     ///< [entries] of the candidate's triangle
 };
 
-/// One probe -> the triangle it is at, its force and what it remembers. Normals are the present ones and the foot of the
-/// node moves with it, so the normal force has a potential and crosses edges between triangles without a jump. A contact
-/// begins without force, at whatever depth the node comes in; what it stores when it ends is booked as lost.
+/// One probe -> the triangle it is at, its force and what it remembers. Normals are the present ones and the foot of
+/// the node moves with it, so the normal force has a potential and crosses edges between triangles without a jump. A
+/// contact begins without force, at whatever depth the node comes in; what it stores when it ends is booked as lost.
 template <class Real>
 struct MoveContact {
   MovingContactView<Real> contacts;
@@ -201,7 +201,7 @@ struct MoveContact {
   }
 };
 
-/// One node -> force of its probes and of those that press on it, added to its internal force; the same of damping, kept.
+/// One node -> force of its probes and of those that press on it, added to its internal force; that of damping.
 template <class Real>
 struct GatherMovingContact {
   MovingContactView<Real> contacts;

@@ -224,8 +224,8 @@ class ModelCheck {
           complaints_.add(i.where, other + ": missing '" + key + "' [Pa/m], which stage '" + stage.name +
                                        "' with large_displacement needs: where blocks will meet is not known before");
       if (i.opening > 0)
-        complaints_.add(i.where, other + ": 'initial_opening' does not go with large_displacement in stage '" + stage.name +
-                                     "'; leave a gap between the bodies");
+        complaints_.add(i.where, other + ": 'initial_opening' does not go with large_displacement in stage '" +
+                                     stage.name + "'; leave a gap between the bodies");
     }
     if (!model_.initial_stresses.empty())
       complaints_.add(stage.where, who + "does not go with initial_stress; bring loads on in time instead");

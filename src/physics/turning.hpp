@@ -4,8 +4,8 @@
 #include "physics/shapes/wedge6.hpp"
 
 /// Elements that turn and move as far as they like: Green's strain through the law of small strain (St. Venant and
-/// Kirchhoff). Rigid movements of any size cost nothing, forces follow from one energy, and where nothing turns they are
-/// those of small strain.
+/// Kirchhoff). Rigid movements of any size cost nothing, forces follow from one energy, and where nothing turns they
+/// are those of small strain.
 namespace ashlar {
 
 template <class Base, class V>

@@ -246,8 +246,8 @@ class Motion {
     if (!large()) return;
     e("motion.searched", searched_);
     if (e.taking()) search_again();
-    for (const auto& [field, name] : {std::pair{Field::probe_memory, "probe_memory"},
-                                      std::pair{Field::probe_loss, "probe_loss"}})
+    for (const auto& [field, name] :
+         {std::pair{Field::probe_memory, "probe_memory"}, std::pair{Field::probe_loss, "probe_loss"}})
       exchange_field(e, name, backend_, field);
   }
 
@@ -335,8 +335,8 @@ class Motion {
   const DynamicLinks& links_;
   StageResult& result_;
   GivenInTime given_;
-  std::vector<double> mass_;   ///< [block nodes] kg
-  std::vector<double> state_;  ///< of the contact points at the last look
+  std::vector<double> mass_;      ///< [block nodes] kg
+  std::vector<double> state_;     ///< of the contact points at the last look
   std::vector<double> searched_;  ///< displacement of the last search of contacts
   ContactReader contacts_;
   CrackEvents cracks_;

@@ -38,7 +38,7 @@ struct Cubes {
 TEST(moving_contacts, probes_of_a_cube_share_the_area_of_its_faces) {
   const Cubes cubes;
   const ContactSurface& s = cubes.surface;
-  EXPECT_EQ(s.probe_count(), 2 * 8 * 3);       // three faces meet at every corner
+  EXPECT_EQ(s.probe_count(), 2 * 8 * 3);  // three faces meet at every corner
   EXPECT_EQ(s.triangle_count(), 2 * 6 * 2);
   EXPECT_NEAR(std::accumulate(s.area.begin(), s.area.end(), 0.0), 12, 1e-12);
 }

@@ -29,7 +29,7 @@ class Turning : public testing::Test {
   using Vectors = double[3][corners];
   /// Corners of the reference element, none of its faces along an axis.
   Turning() {
-    const double hex[8][3] = {{0, 0, 0},   {1, 0.1, 0},  {1.1, 1, 0.1}, {0, 1, 0},
+    const double hex[8][3] = {{0, 0, 0},   {1, 0.1, 0}, {1.1, 1, 0.1}, {0, 1, 0},
                               {0, 0, 1.2}, {1, 0, 0.9}, {1, 1.2, 1},   {0.1, 1, 1}};
     const int wedge[6] = {0, 1, 3, 4, 5, 7}, tet[4] = {0, 1, 3, 4};
     for (int k = 0; k < corners; ++k)
@@ -104,7 +104,8 @@ TYPED_TEST(Turning, forces_are_the_derivative_of_its_energy) {
 
 TYPED_TEST(Turning, small_movements_bear_the_force_of_small_strain) {
   constexpr int corners = TypeParam::corners;
-  using Small = std::conditional_t<corners == 8, Hex8<double>, std::conditional_t<corners == 6, Wedge6<double>, Tet4<double>>>;
+  using Small =
+      std::conditional_t<corners == 8, Hex8<double>, std::conditional_t<corners == 6, Wedge6<double>, Tet4<double>>>;
   double u[3][corners], f[3][corners], small[3][corners], largest = 0;
   this->stretched(1e-8, u);
   Keeper keeper, other;

@@ -14,8 +14,8 @@ namespace ashlar {
 
 namespace {
 
-constexpr double skin_share = 0.25;  ///< of the side of the smallest face
-constexpr double one_way = 0.9;      ///< cosine between faces that one probe takes together
+constexpr double skin_share = 0.25;       ///< of the side of the smallest face
+constexpr double one_way = 0.9;           ///< cosine between faces that one probe takes together
 constexpr double faces_each_other = 0.1;  ///< least cosine between a probe's face and a triangle that it may touch
 
 Vec3<double> triangle_area(const std::vector<int>& corner, int t, const std::vector<Vec3<double>>& places) {
@@ -78,8 +78,8 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
   s.interface = interface_of_regions(model);
   for (const Interface& i : model.interfaces) {
     const InterfaceConstants constants = interface_constants(i.law, i.values, i.where, i.name);
-    s.laws.push_back({constants.stiffness.normal_stiffness, constants.stiffness.shear_stiffness,
-                      constants.law.tan_friction});
+    s.laws.push_back(
+        {constants.stiffness.normal_stiffness, constants.stiffness.shear_stiffness, constants.law.tan_friction});
   }
   struct Share {
     int triangle, block, region;

@@ -15,18 +15,18 @@ struct ContactLaw {
   double friction = 0;                               ///< tangent of its angle
 };
 
-/// Faces of all blocks that may touch another one, cut into triangles, and probes on their corners: a node with those of
-/// its faces that look one way. Nodes in the machine's numbering. Empty in models without large displacement.
+/// Faces of all blocks that may touch another one, cut into triangles, and probes on their corners: a node with those
+/// of its faces that look one way. Nodes in the machine's numbering. Empty in models without large displacement.
 struct ContactSurface {
-  std::vector<int> corner;          ///< [3 * triangles] counter-clockwise from outside
-  std::vector<int> block, region;   ///< [triangles]
+  std::vector<int> corner;                                 ///< [3 * triangles] counter-clockwise from outside
+  std::vector<int> block, region;                          ///< [triangles]
   std::vector<int> probe_node, probe_block, probe_region;  ///< [probes]
-  std::vector<int> first_facet{0};  ///< [probes + 1] into facet, area
-  std::vector<int> facet;           ///< [..] one triangle of a face around the probe
-  std::vector<double> area;         ///< [..] m^2, integral of the node's shape function over that face
-  std::vector<ContactLaw> laws;     ///< [interfaces]
-  std::vector<int> interface;       ///< [regions * regions] index into laws; -1: they never touch
-  double skin = 0;                  ///< m, how far beside it a search looks
+  std::vector<int> first_facet{0};                         ///< [probes + 1] into facet, area
+  std::vector<int> facet;                                  ///< [..] one triangle of a face around the probe
+  std::vector<double> area;      ///< [..] m^2, integral of the node's shape function over that face
+  std::vector<ContactLaw> laws;  ///< [interfaces]
+  std::vector<int> interface;    ///< [regions * regions] index into laws; -1: they never touch
+  double skin = 0;               ///< m, how far beside it a search looks
   int triangle_count() const { return static_cast<int>(block.size()); }
   int probe_count() const { return static_cast<int>(probe_node.size()); }
   bool empty() const { return probe_node.empty(); }
@@ -38,10 +38,10 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
 
 /// What probes may touch until something has moved by half the skin.
 struct ContactCandidates {
-  std::vector<int> first{0};     ///< [probes + 1]
-  std::vector<int> triangle;     ///< ascending for each probe
-  std::vector<int> law;          ///< index into ContactSurface::laws
-  std::vector<double> area;      ///< m^2, that of the probe's faces seen along the triangle's normal
+  std::vector<int> first{0};  ///< [probes + 1]
+  std::vector<int> triangle;  ///< ascending for each probe
+  std::vector<int> law;       ///< index into ContactSurface::laws
+  std::vector<double> area;   ///< m^2, that of the probe's faces seen along the triangle's normal
 };
 
 /// @param places [block nodes, the machine's numbering] m, where they are now

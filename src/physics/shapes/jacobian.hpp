@@ -48,9 +48,9 @@ ASHLAR_HD void add_turned_traction(const Sym3<V>& s, const Vec3<V>& n, const Vec
     p[i] = fma(along[2][i], t.z, fma(along[1][i], t.y, fma(along[0][i], t.x, p[i] + t[i])));
 }
 
-/// The force of one Gauss point where the element turns and moves far: `stress` takes Green's strain and gives the second Piola-Kirchhoff
-/// stress, both in axes that turn with the element, and the force goes through the deformation gradient. `stress` may
-/// have `stress.volume(volume of the point)`, called after its stress.
+/// The force of one Gauss point where the element turns and moves far: `stress` takes Green's strain and gives the
+/// second Piola-Kirchhoff stress, both in axes that turn with the element, and the force goes through the deformation
+/// gradient. `stress` may have `stress.volume(volume of the point)`, called after its stress.
 template <class V, class Stress>
 ASHLAR_HD void turning_point_force(int gauss, const V& weight, const Jacobian<V>& j, const Vec3<V>& ha,
                                    const Vec3<V>& hb, const Vec3<V>& hc, Stress& stress, Vec3<V>& pa, Vec3<V>& pb,
