@@ -1,6 +1,5 @@
 -- Case arch: a semicircular arch of voussoirs under its own weight stands or falls with its thickness.
--- Source: thrust line inside the arch: it stands if thickness / mean radius is at least 0.1075 (Milankovitch 1907;
---         Ochsendorf 2006).
+-- Source: theory of the thrust line: it stands if thickness over mean radius is at least 0.1075 (Milankovitch 1907).
 -- Accept: at 0.12 the crown comes to rest less than 1 % of the radius down, at 0.095 it falls; energy drifts by less
 --         than 1e-3 of its peak.
 -- Runs: thickness=0.12 | thickness=0.095

@@ -1,5 +1,5 @@
 -- Case dropped block: a block falls flat on the ground, rebounds by what the damping of its contact leaves, and comes
--- to rest with its weight on the ground.
+--         to rest with its weight on the ground.
 -- Source: closed form: mass on spring and dashpot without tension, under gravity: height of the rebound; weight.
 -- Accept: rebound 1 %; weight 1e-6; energy drifts by less than 1e-3 of its peak.
 -- Runs: damping=0 | damping=1e-4 | damping=4e-4 | damping=4e-4 elements=tet4

@@ -1,8 +1,8 @@
 -- Case P34 (far): a block slides ten times its length down a slope, over the edges between the slope's elements; on a
--- flatter slope it goes on leaning on its friction as it did in a static stage.
+--         flatter slope it goes on leaning on its friction as it did in a static stage.
 -- Source: closed form: s = g (sin(slope) - cos(slope) tan(friction)) t^2 / 2; below the friction angle 0.
--- Accept: distance and speed 1 % of what they are at the end, at every record; leaning it moves less than twice what its
---         springs give under W sin(slope); energy drifts by less than 1e-3 of its peak.
+-- Accept: distance and speed 1 % of what they are at the end, at every record; leaning it moves less than twice what
+--         its springs give under W sin(slope); energy drifts by less than 1e-3 of its peak.
 -- Runs: elements=hex8 | elements=wedge6 | elements=tet4 | slope=25
 local args = deck.args {
   elements = { default = "hex8", doc = "hex8, wedge6 or tet4" },

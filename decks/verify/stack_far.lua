@@ -1,5 +1,5 @@
--- Case P33 (far): a stack of blocks settles under its weight, in large displacement; contacts on
--- both sides at the same nodes.
+-- Case P33 (far): a stack of blocks settles under its weight, in large displacement; contacts on both sides at the same
+--         nodes.
 -- Source: closed form, sum over i of (n - i) w / k_n + ((n - i - 1) w + w / 2) h / E with w = rho g h.
 -- Accept: 1e-4.
 -- Runs: elements=hex8 | elements=wedge6

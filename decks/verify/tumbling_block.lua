@@ -1,6 +1,7 @@
 -- Case tumbling block: a cube is dropped on an edge or a corner, or on the corner of another one that stands on the
--- ground, tumbles and comes to rest.
--- Source: statics: at rest the ground bears the weight; on one of its faces a cube's centre is half its side high.
+--         ground, tumbles and comes to rest.
+-- Source: closed form, statics: at rest the ground bears the weight; on one of its faces a cube's centre is half its
+--         side high.
 -- Accept: weight 1e-3, centre 1 % of the side; energy drifts by less than 1e-3 of its peak.
 -- Runs: start=edge | start=corner | start=corner elements=tet4 | start=spike
 local args = deck.args {

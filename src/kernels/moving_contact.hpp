@@ -1,5 +1,5 @@
 #pragma once
-#include "base/number.hpp"
+#include "base/tensor.hpp"
 #include "model/view.hpp"
 
 /// Phase moving_contacts: contacts of blocks that move far, found anew in every step among the candidates of the last
