@@ -124,7 +124,8 @@ std::vector<NounRule> stage_nouns() {
                     "a frictional joint or crackable names touch wherever they meet (blocks of one region as the first "
                     "joint of that region says): nodes of either on faces of the other, each with half of the "
                     "stiffness; edges that cross between their nodes are not seen. Loads keep their direction; stress "
-                    "is given in axes that turn with the body. Later stages have to be of this kind too")
+                    "is given in axes that turn with the body, and interface results show nothing. Later stages have "
+                    "to be of this kind too")
                     .otherwise(0),
                 number("contact_damping", dimension::time, range::not_negative,
                        "large_displacement: contacts also resist their speed, by their stiffness times this; "
