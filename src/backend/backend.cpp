@@ -65,6 +65,7 @@ const char* phase_name(Phase phase) {
     case Phase::start_motion: return "start_motion";
     case Phase::advance_springs: return "advance_springs";
     case Phase::damping_force: return "damping_force";
+    case Phase::moving_contacts: return "moving_contacts";
     case Phase::step_motion: return "step_motion";
     case Phase::combine_parts: return "combine_parts";
     case Phase::count: break;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/blocks.hpp"
+#include "model/contact/moving.hpp"
 #include "model/discretisation.hpp"
 #include "model/loads.hpp"
 #include "physics/interface_laws/spring.hpp"
@@ -50,6 +51,8 @@ enum class Phase : std::uint8_t {
   start_motion,          ///< dynamic stages: no work done yet, no stiffness damping; kept force: at rest
   advance_springs,       ///< springs crack and slide by the present displacement
   damping_force,         ///< stiffness-proportional: Controls::stiffness_damping times elastic force of the velocity
+  moving_contacts,       ///< large displacement: contacts of blocks among the candidates, after a step of
+                         ///< Controls::step_before, added to nodes
   step_motion,           ///< velocity, then displacement, in time with the real mass
   combine_parts,         ///< Controls::combined of the moment from its parts and Controls::factors
   count
@@ -87,6 +90,8 @@ enum class Field : std::uint8_t {
   given_temperature,    ///< [mesh nodes] degC that held nodes take with the next step; empty: they keep theirs
   heat_flow,            ///< [mesh nodes] W leaving each node by conduction and film
   heat_bound,           ///< [2 * mesh nodes] W/K, diagonal and absolute row sum of conduction and film
+  probe_memory,         ///< [numbers * probes] what contacts of large displacement remember; empty: there are none
+  probe_loss,           ///< [probes] J since start_motion
 };
 
 /// Numbers that a step needs from the solver.
@@ -99,6 +104,7 @@ struct Controls {
   double step_before = 0;        ///< s, motions: the time_step before this one; 0 in the first
   double mass_damping = 0;       ///< motions: Rayleigh, 1/s
   double stiffness_damping = 0;  ///< motions: Rayleigh, s
+  double contact_damping = 0;    ///< moving_contacts: s
   double search_length = 0;      ///< conjugate gradients: alpha
   double search_keep = 0;        ///< conjugate gradients: beta
   int steps = 1;                 ///< relaxation_steps, heat_steps
@@ -146,6 +152,7 @@ struct MotionMeasure {
   double rest_work = 0;  ///< J, u . force(0)
   double supplied = 0;   ///< J since start_motion, work of the load
   double damped = 0;     ///< J since start_motion, taken out by damping
+  double rubbed = 0;     ///< J since start_motion, large displacement: friction, and contacts that ended pressed
 };
 
 /// Groups of nodes that relaxation moves together (see GroupView), machine's numbering.
@@ -182,6 +189,7 @@ struct Setup {
   bool heat_only = false;                         ///< nothing of the stress lane: no phase or field of it
   bool motion = false;                            ///< whether a stage is dynamic
   bool crack_water = false;                       ///< whether water may stand in cracks
+  const ContactSurface* surface = nullptr;        ///< null or empty: no stage is in large displacement
 
   /// [batches + 1] Gauss points that remember: first of each batch, Gauss points in a batch as in Batch::gauss.
   std::vector<int> first_history() const;
@@ -249,6 +257,13 @@ class Backend {
   virtual std::size_t memory_bytes() const = 0;
   /// Whether stress takes account of Field::warming. Off until a stage has a temperature.
   virtual void use_warming(bool on) = 0;
+  /// From now on blocks turn and move far: motions take elements in large displacement and contacts of
+  /// Setup::surface instead of springs.
+  virtual void use_large_displacement(bool on) = 0;
+  /// What a search has found at `displacement` [3 * block nodes] m.
+  virtual void write_candidates(const ContactCandidates& candidates, const std::vector<double>& displacement) = 0;
+  /// Whether a probe has moved by more than `limit` m since then, or could in `ahead` seconds.
+  virtual bool moved_far(double limit, double ahead) = 0;
   /// Divides the strength of every law and interface, as it was at set-up, by `factor`.
   virtual void weaken(double factor) = 0;
 

@@ -15,14 +15,19 @@ class MotionLane {
     load_work.resize(nodes);
     damping_work.resize(nodes);
     spring_dissipation.resize(3 * contacts);
-    damped_by_stiffness_ = false;
+    damped_beside_ = false;
   }
+  /// Where a damping force is to be found that steps take account of from now on: zero at first, and when cleared.
+  Real* damping_force(std::size_t nodes) {
+    if (!damped_beside_) damping_force_.resize(3 * nodes);
+    damped_beside_ = true;
+    return damping_force_.data();
+  }
+  void clear_damping_force() { damping_force_.resize(damping_force_.size()); }
   /// Velocity times `factor`, into `scaled`; makes room for the damping force, which steps take account of from now on.
   Real* scale_velocity(Exec& exec, const BodyView<Real>& body, double factor, Real* scaled) {
-    if (!damped_by_stiffness_) damping_force_.resize(3 * std::size_t(body.nodes.node_count));
-    damped_by_stiffness_ = true;
     exec.for_each(body.nodes.node_count, ScaleVelocity<Real>{body, Real(factor), scaled});
-    return damping_force_.data();
+    return damping_force(body.nodes.node_count);
   }
   void step(Exec& exec, const BodyView<Real>& body, const Controls& c) {
     const MotionStep<Real> step{Real(c.velocity_step), Real(c.time_step), c.step_before, Real(c.local_damping),
@@ -32,17 +37,23 @@ class MotionLane {
   MotionMeasure sums(Exec& exec, const BodyView<Real>& body, double step_before) {
     const auto s =
         exec.template combine<motion_sum_count>(body.nodes.node_count, MotionSums<Real>{body, view(), step_before});
-    return {s[motion_kinetic], s[motion_potential], s[motion_rest_work], s[motion_supplied], s[motion_damped]};
+    return {s[motion_kinetic], s[motion_potential], s[motion_rest_work], s[motion_supplied], s[motion_damped], 0};
+  }
+  /// In large displacement, without the energy that elements and contacts store at the present displacement.
+  MotionMeasure turning_sums(Exec& exec, const BodyView<Real>& body, double step_before) {
+    const auto s =
+        exec.template combine<motion_sum_count>(body.nodes.node_count, TurningSums<Real>{body, view(), step_before});
+    return {s[motion_kinetic], s[motion_potential], 0, s[motion_supplied], s[motion_damped], 0};
   }
 
  private:
   template <class T>
   using Array = typename Exec::template Array<T>;
   MotionView<Real> view() {
-    return {damped_by_stiffness_ ? damping_force_.data() : nullptr,
+    return {damped_beside_ ? damping_force_.data() : nullptr,
             given_velocity.size() > 0 ? given_velocity.data() : nullptr, load_work.data(), damping_work.data()};
   }
-  bool damped_by_stiffness_ = false;
+  bool damped_beside_ = false;
   Array<Real> damping_force_;
 
  public:

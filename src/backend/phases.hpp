@@ -13,6 +13,7 @@
 #include "backend/heat_lane.hpp"
 #include "backend/machine_memory.hpp"
 #include "backend/motion_lane.hpp"
+#include "backend/moving_contacts.hpp"
 #include "backend/node_set.hpp"
 #include "backend/parted_field.hpp"
 #include "backend/springs.hpp"
@@ -52,6 +53,7 @@ class Phases final : public Backend {
         first_history_(setup.first_history()),
         blocks_(setup.discretisation.blocks),
         springs_(setup),
+        moving_contacts_(setup),
         heat_(setup) {
     const Discretisation& d = setup.discretisation;
     exec_.template set_patches<Real>(d);
@@ -69,6 +71,14 @@ class Phases final : public Backend {
     for (const BlockLaw& law : full_laws_) laws_.push_back(weakened(law, factor));
     springs_.weaken(factor);
     ++MachineMemory::changes;  // launches that a machine has recorded carry the laws
+  }
+  void use_large_displacement(bool on) override { large_ = on; }
+  void write_candidates(const ContactCandidates& candidates, const std::vector<double>& displacement) override {
+    moving_contacts_.write(candidates, displacement);
+    motion_.clear_damping_force();
+  }
+  bool moved_far(double limit, double ahead) override {
+    return moving_contacts_.moved_far(exec_, body_, limit, ahead);
   }
   bool runs_ahead() const override { return Exec::marches; }
   void finish() override { exec_.finish(); }
@@ -91,7 +101,9 @@ class Phases final : public Backend {
 
   void run_phase(Phase phase, const Controls& controls) override {
     switch (phase) {
-      case Phase::block_force: return each_batch([&](auto element, auto law, int b) { block_force(element, law, b); });
+      case Phase::block_force:
+        if (large_) return each_turning([&](auto element, auto law, int b) { elastic_forces(element, law, b, body_); });
+        return each_batch([&](auto element, auto law, int b) { block_force(element, law, b); });
       case Phase::gather_force: return gather_boundary(body_.force);
       case Phase::move_nodes:
         set_damping(controls);
@@ -102,6 +114,8 @@ class Phases final : public Backend {
       case Phase::relaxation_sums: return sum_relaxation();
       case Phase::stiffness_bound: return stiffness_bound();
       case Phase::block_stress:
+        if (large_)
+          return each_turning([&](auto element, const auto& law, int b) { gauss_stress<false>(element, law, b); });
         return each_batch([&](auto element, const auto& law, int b) { gauss_stress<false>(element, law, b); });
       case Phase::spring_force: return spring_force();
       case Phase::advance_history:
@@ -139,7 +153,9 @@ class Phases final : public Backend {
       case Phase::balance_advance:
         return exec_.for_each(node_count(), BalanceAdvance<Real>{balance_view(), Real(controls.search_length)});
       case Phase::gauss_temperature: return heat_.warm_gauss_points(exec_, warming_.data());
-      case Phase::start_motion: return motion_.start(node_count(), contact_count());
+      case Phase::start_motion:
+        motion_.start(node_count(), contact_count());
+        return moving_contacts_.start();
       case Phase::advance_springs:
         changed_.known = false;
         return each_contact([&](auto springs, int first) {
@@ -152,6 +168,10 @@ class Phases final : public Backend {
                                                          motion_.spring_dissipation.data() + 3 * first};
         });
       case Phase::damping_force: return damping_force(controls.stiffness_damping);
+      case Phase::moving_contacts:
+        return moving_contacts_.add_force(
+            exec_, body_, controls.step_before, controls.contact_damping,
+            controls.contact_damping > 0 ? motion_.damping_force(node_count()) : nullptr);
       case Phase::step_motion: return motion_.step(exec_, body_, controls);
       case Phase::combine_parts:
         return visit_field(*this, controls.combined, [&](auto& array) {
@@ -247,7 +267,13 @@ class Phases final : public Backend {
     balance_.prolong(exec_, balance_view(), movement);
   }
   HeatMeasure heat_sums() override { return heat_.sums(exec_); }
-  MotionMeasure motion_sums(double step_before) override { return motion_.sums(exec_, body_, step_before); }
+  MotionMeasure motion_sums(double step_before) override {
+    if (!large_) return motion_.sums(exec_, body_, step_before);
+    MotionMeasure m = motion_.turning_sums(exec_, body_, step_before);
+    each_turning([&](auto element, const auto& law, int b) { m.potential += strain_energy(element, law, b); });
+    moving_contacts_.add_energies(exec_, m);
+    return m;
+  }
   void write_films(const FilmMatrix& films) override { heat_.write_films(films); }
   void write_parts(Field field, const std::vector<std::vector<double>>& parts) override {
     parts_[field].write(parts);
@@ -546,6 +572,21 @@ class Phases final : public Backend {
           laws_[batch.material]);
     }
   }
+  /// The same in large displacement, where every law is elastic.
+  template <class Work>
+  void each_turning(Work work) {
+    for (int b = 0; b < static_cast<int>(discretisation_.batches.size()); ++b) {
+      const Batch& batch = discretisation_.batches[b];
+      with_turning_element(batch.shape, [&](auto element) {
+        work(element, std::get<Elastic>(laws_[batch.material]).template prepare<Real>(), b);
+      });
+    }
+  }
+  template <template <class> class E, class Point>
+  double strain_energy(ElementTag<E>, const Point& law, int b) {
+    const BatchView batch = batch_view(b);
+    return exec_.template combine<1>(batch.element_count, ElementEnergy<E, Point, Real>{body_, batch, law})[0];
+  }
   BatchView batch_view(int b) const {
     const Batch& batch = discretisation_.batches[b];
     return {batch.first_patch, batch.patch_size, batch.element_count,
@@ -680,6 +721,8 @@ class Phases final : public Backend {
       case Field::given_temperature: return visit(self.heat_.given_temperature);
       case Field::heat_flow: return visit(self.heat_.flow);
       case Field::heat_bound: return visit(self.heat_.bound);
+      case Field::probe_memory: return visit(self.moving_contacts_.memory);
+      case Field::probe_loss: return visit(self.moving_contacts_.lost);
     }
     throw std::logic_error("not a field");
   }
@@ -707,6 +750,7 @@ class Phases final : public Backend {
   std::vector<int> first_history_;
   NodeSet<Exec> blocks_;
   Springs<Exec, Real> springs_;
+  MovingContacts<Exec, Real> moving_contacts_;
   BalanceLane<Exec, Real> balance_;
   Array<StepDamping<Real>> damping_;
   StepDamping<Real> last_damping_;
@@ -726,7 +770,7 @@ class Phases final : public Backend {
   Array<int> group_first_, group_member_, group_of_node_;
   Array<Real> group_pull_, group_shared_;
   GroupView<Real> groups_;
-  bool warm_ = false;
+  bool warm_ = false, large_ = false;
 };
 
 }  // namespace ashlar

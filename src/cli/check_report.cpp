@@ -163,7 +163,7 @@ std::string solve_words(const Stage& stage) {
   if (const auto* c = std::get_if<CoupledSolve>(&stage.solve))
     return text("coupled, %.6g days, balanced every %.6g days to a ratio of %g", c->duration / 86400, c->every / 86400,
                 c->relaxation.tolerance);
-  if (const auto* d = std::get_if<DynamicSolve>(&stage.solve)) return text("dynamic, %.6g s", d->duration);
+  if (const auto* d = std::get_if<DynamicSolve>(&stage.solve)) return text(d->large_displacement ? "dynamic, %.6g s, large displacement" : "dynamic, %.6g s", d->duration);
   if (const auto* r = std::get_if<StrengthReduction>(&stage.solve))
     return text("strength reduction, a factor between %g and %g to within %g", r->low, r->high, r->width);
   const auto& f = std::get<FractureSolve>(stage.solve);

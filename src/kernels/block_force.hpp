@@ -212,6 +212,35 @@ struct GaussStress {
   }
 };
 
+/// One element -> its strain energy, J, of an elastic law and an element in large displacement.
+template <template <class> class Element, class Point, class Real>
+struct ElementEnergy {
+  BodyView<Real> body;
+  BatchView batch;
+  Point law;
+
+  struct Keeper {
+    const Point& law;
+    double density = 0, energy = 0;
+    ASHLAR_HD Sym3<Real> operator()(int, const Sym3<Real>& strain) {
+      const Sym3<Real> s = law.stress(strain);
+      density = 0;
+      for (int c = 0; c < 6; ++c) density = fma(0.5 * double(s[c]), double(strain[c]), density);
+      return s;
+    }
+    ASHLAR_HD void volume(Real volume) { energy = fma(density, double(volume), energy); }
+  };
+
+  ASHLAR_HD void operator()(int i, double (&sum)[1]) const {
+    constexpr int corners = Element<Real>::corners;
+    Real x[3][corners], u[3][corners], f[3][corners];
+    read_corners(body, batch, i, x, u);
+    Keeper keeper{law};
+    Element<Real>::force(x, u, f, keeper);
+    sum[0] = keeper.energy;
+  }
+};
+
 /// One element -> mean gradients of its shape functions, 1/m, in its corner slots: the corner forces of unit pressure
 /// over the volume.
 template <template <class> class Element, class Real>

@@ -1,6 +1,7 @@
 #pragma once
 #include "model/mesh.hpp"
 #include "physics/bbar.hpp"
+#include "physics/turning.hpp"
 
 namespace ashlar {
 
@@ -20,6 +21,16 @@ auto with_element(Shape shape, bool bbar, const Work& work) {
     case Shape::tet4: break;
   }
   return work(ElementTag<Tet4>{});
+}
+/// The same of elements in large displacement.
+template <class Work>
+auto with_turning_element(Shape shape, const Work& work) {
+  switch (shape) {
+    case Shape::hex8: return work(ElementTag<TurningHex8>{});
+    case Shape::wedge6: return work(ElementTag<TurningWedge6>{});
+    case Shape::tet4: break;
+  }
+  return work(ElementTag<TurningTet4>{});
 }
 
 }  // namespace ashlar

@@ -36,4 +36,24 @@ struct MotionSums {
   }
 };
 
+/// The same in large displacement: of the potential only what lies between the present displacement, where elements and
+/// contacts store their energy, and the middle of the last step.
+template <class Real>
+struct TurningSums {
+  BodyView<Real> body;
+  MotionView<Real> motion;
+  double step_before;  ///< s
+
+  ASHLAR_HD void operator()(int node, double (&s)[motion_sum_count]) const {
+    for (int c = 0; c < 3; ++c) {
+      const int i = 3 * node + c;
+      const double v = body.v[i];
+      s[motion_kinetic] += 0.5 * v * v / double(body.inverse_mass[node]);
+      s[motion_potential] -= 0.5 * step_before * v * double(body.force[i]);
+    }
+    s[motion_supplied] = motion.supplied[node];
+    s[motion_damped] = motion.damped[node];
+  }
+};
+
 }  // namespace ashlar

@@ -219,7 +219,7 @@ Blocks split_blocks(const Model& model, const FaceGraph& graph) {
   std::stable_sort(blocks.faces.begin(), blocks.faces.begin() + blocks.coincident_count(),
                    [](const InterfaceFace& p, const InterfaceFace& q) { return before(p.a, q.a); });
   blocks.matches = std::move(facing.matches);
-  refuse_joints_without_faces(model, blocks);
+  if (!has_large_displacement(model)) refuse_joints_without_faces(model, blocks);  // else they may meet later
 
   NodeCopies copies = copy_nodes(mesh, inside, touches_interface);
   blocks.corners = std::move(copies.corners);

@@ -208,6 +208,57 @@ class ModelCheck {
       if (measure(material.law) != Measure::none)
         complaints_.add(stage.where, title("stage", stage.name) + ": dynamic stages take elastic materials only, and " +
                                          title("material", material.name) + " is " + material.law);
+    if (std::get<DynamicSolve>(stage.solve).large_displacement) large_displacement(stage);
+  }
+
+  /// What blocks that move far can be made of, meet by and be loaded with.
+  void large_displacement(const Stage& stage) {
+    const std::string who = title("stage", stage.name) + ": large_displacement ";
+    const int index = static_cast<int>(&stage - model_.stages.data());
+    for (const auto& material : model_.materials)
+      if (material.law != "elastic" || material.bbar.value_or(false))
+        complaints_.add(material.where, title("material", material.name) + ": stage '" + stage.name +
+                                            "' with large_displacement takes law = \"elastic\" and formulation = " +
+                                            "\"full\" only");
+    for (const auto& i : model_.interfaces) {
+      const std::string other = title(i.crackable ? "crackable" : "joint", i.name);
+      if (i.law != "frictional")
+        complaints_.add(i.where, other + ": stage '" + stage.name + "' with large_displacement takes law = " +
+                                     "\"frictional\" only: a bond would have to turn with its blocks");
+      for (const char* key : {"normal_stiffness", "shear_stiffness"})
+        if (const auto given = i.values.find(key);
+            i.law == "frictional" && (given == i.values.end() || given->second <= 0))
+          complaints_.add(i.where, other + ": missing '" + key + "' [Pa/m], which stage '" + stage.name +
+                                       "' with large_displacement needs: where blocks will meet is not known before");
+      if (i.opening > 0)
+        complaints_.add(i.where, other + ": 'initial_opening' does not go with large_displacement in stage '" +
+                                     stage.name + "'; leave a gap between the bodies");
+    }
+    if (!model_.initial_stresses.empty())
+      complaints_.add(stage.where, who + "does not go with initial_stress; bring loads on in time instead");
+    for (const ActingCondition& a : acting_conditions(model_, index)) {
+      const auto& kind = a.condition->kind;
+      if (std::holds_alternative<TemperatureField>(kind) || std::holds_alternative<InitialTemperature>(kind))
+        complaints_.add(a.condition->where, title(a.condition->noun, a.condition->name) + ": stage '" + stage.name +
+                                                "' with large_displacement takes no temperature");
+      if (std::holds_alternative<WaterPressure>(kind) || std::holds_alternative<Pressure>(kind) ||
+          std::holds_alternative<Uplift>(kind) || std::holds_alternative<CrackWater>(kind))
+        complaints_.add(a.condition->where,
+                        title(a.condition->noun, a.condition->name) + ": stage '" + stage.name +
+                            "' with large_displacement takes no pressure, whose faces would turn away; give traction, "
+                            "which keeps its direction, or remove it with the stage");
+    }
+    for (const Stage& other : model_.stages)
+      if (is_thermal(other))
+        complaints_.add(stage.where, who + "takes no temperature, and stage '" + other.name + "' is thermal");
+    if (index + 1 < static_cast<int>(model_.stages.size())) {
+      const Stage& next = model_.stages[index + 1];
+      const auto* motion = std::get_if<DynamicSolve>(&next.solve);
+      if (!motion || !motion->large_displacement)
+        complaints_.add(next.where, title("stage", next.name) + " comes after large_displacement in stage '" +
+                                        stage.name + "': blocks may be anywhere by then; it has to be dynamic { " +
+                                        "large_displacement = true } too");
+    }
   }
 
   /// Something must be able to fail.

@@ -255,6 +255,8 @@ struct DynamicSolve {
   double time_step = 0;                       ///< s; 0: time_factor of the stable one
   double time_factor = 0;                     ///< share of the stable step (0: 0.9, less where contacts separate); above 1 to see a motion run away
   double record_every = 0;                    ///< s between history rows; 0: a hundredth of the duration
+  bool large_displacement = false;            ///< blocks move and turn far and meet others; needs frictional interfaces
+  double contact_damping = 0;                 ///< s, large displacement: force of a speed over that of a distance
 };
 
 /// Heat and quasi-static stress together in time: heat in its own steps, equilibrium at times `every` apart.
@@ -332,6 +334,13 @@ struct Model {
   Mesh mesh;                                  ///< whole model, filled by build_mesh
   std::vector<std::string> notes;             ///< what build_mesh did that the deck does not say
 };
+
+/// Whether blocks may move far in one of the stages.
+inline bool has_large_displacement(const Model& model) {
+  for (const Stage& stage : model.stages)
+    if (const auto* d = std::get_if<DynamicSolve>(&stage.solve); d && d->large_displacement) return true;
+  return false;
+}
 
 /// Meshes every extrude, box and solid, joins imported meshes, resolves surfaces into model.mesh.surfaces.
 /// Nodes of different sources that coincide are merged (conforming extrudes, touching boxes).

@@ -306,9 +306,16 @@ int add_solve(const Call& c) {
   const Fields& f = c.fields;
   if (c.noun.name == "dynamic") {
     if (f.has("time_step") && f.has("time_factor")) c.complain("time_factor", "give either time_step or time_factor");
+    if (f.flag("large_displacement") && f.number("stiffness_damping") > 0)
+      c.complain("stiffness_damping",
+                 "'stiffness_damping' does not go with large_displacement, where blocks turn; give contact_damping, "
+                 "mass_damping or local_damping");
+    if (!f.flag("large_displacement") && f.number("contact_damping") > 0)
+      c.complain("contact_damping", "'contact_damping' needs large_displacement = true; give stiffness_damping");
     c.solves.emplace_back(DynamicSolve{f.number("duration"), f.number("local_damping"), f.number("mass_damping"),
                                        f.number("stiffness_damping"), f.maybe("time_step").value_or(0),
-                                       f.maybe("time_factor").value_or(0), f.maybe("record_every").value_or(0)});
+                                       f.maybe("time_factor").value_or(0), f.maybe("record_every").value_or(0),
+                                       f.flag("large_displacement"), f.number("contact_damping")});
   } else if (c.noun.name == "thermal") {
     if (f.flag("steady") == f.has("duration")) c.complain("", "give either steady = true or a duration");
     if (f.flag("steady") && f.has("record_every"))

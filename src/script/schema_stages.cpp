@@ -121,7 +121,20 @@ std::vector<NounRule> stage_nouns() {
                     "time_factor", dimension::none, Range{0, 10, true},
                     "share of the stable step to take; 0.9 unless given, about half of that where contacts may open or "
                     "slide, which close to the stable step draw energy from nothing; above 1 to see a motion run "
-                    "away")},
+                    "away"),
+                key("large_displacement", Type::flag,
+                    "true: blocks move and turn as far as they like, part, fall and meet others. Whatever two regions "
+                    "a frictional joint or crackable names touch wherever they meet (blocks of one region as the first "
+                    "joint of that region says): nodes of either on faces of the other, each with half of the "
+                    "stiffness; edges that cross between their nodes are not seen. Loads keep their direction; stress "
+                    "is given in axes that turn with the body, and interface results show nothing. Later stages have "
+                    "to be of this kind too")
+                    .otherwise(0),
+                number("contact_damping", dimension::time, range::not_negative,
+                       "large_displacement: contacts also resist their speed, by their stiffness times this; "
+                       "xi / (pi f) damps a block that bounces on them at frequency f by xi of critical; shortens the "
+                       "step")
+                    .otherwise(0)},
        .example =
            R"(stage "release" { solve = dynamic { duration = 2*s, mass_damping = 0.5/s, record_every = 0.01*s } })"},
       {.name = "stage",

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "model/loads.hpp"
+#include "solve/contact_start.hpp"
 #include "solve/contact_states.hpp"
 #include "solve/crack_events.hpp"
 #include "solve/relaxation.hpp"
@@ -21,6 +22,7 @@ constexpr long look_interval = 10;         // steps between two looks at the ene
 constexpr double runaway_energy = 1000;    // kinetic energy over all that the loads could have given
 constexpr double records_per_stage = 100;  // unless the deck gives an interval
 constexpr double steps_of_period = 50;     // of what changes in time
+constexpr double ahead = 1.5;              // looks until blocks may be searched again, by their present speed
 
 /// Integral of N rho dV at every block node, kg, the machine's numbering.
 std::vector<double> lumped_mass(const Problem& problem) {
@@ -103,6 +105,7 @@ class Motion {
       if (end) break;
       advance(seconds, step_, step_);
       if (n % look_interval != 0) continue;
+      if (large() && backend_.moved_far(problem_.surface.skin / 2, ahead * look_interval * step_)) search();
       done = n;
       if (links_.keep) links_.keep(exchange_all);
       if (links_.watch(n, seconds / solve_.duration)) {
@@ -131,9 +134,16 @@ class Motion {
     for (std::size_t i = 0; i < velocity.size(); ++i)
       if (!moving || (static_cast<unsigned>(fixed[i / 3]) >> i % 3) & 1u) velocity[i] = 0;
     backend_.write(Field::velocity, velocity);
-    find_force_at_rest();
+    if (large())
+      backend_.use_large_displacement(true);
+    else
+      find_force_at_rest();
     backend_.run(Phase::start_motion);
     if (problem_.contacts.count() > 0) state_ = backend_.read(Field::contact_state);
+    if (large()) {
+      begin_with_shear_of_springs(problem_);
+      search();
+    }
     evaluate(0);
     const MotionMeasure m = backend_.motion_sums(0);
     // The potential of the start without its temperature part, the scale that stays when nothing else acts.
@@ -158,10 +168,29 @@ class Motion {
     backend_.write(Field::displacement, displacement);
   }
 
-  /// Forces at the present displacement, `step_before` after the one before.
+  bool large() const { return solve_.large_displacement; }
+  /// Which blocks are near to each other.
+  void search() {
+    searched_ = backend_.read(Field::displacement);
+    search_again();
+  }
+  void search_again() {
+    std::vector<Vec3<double>> places = problem_.discretisation.block_points;
+    for (std::size_t n = 0; n < places.size(); ++n)
+      for (int i = 0; i < 3; ++i) places[n][i] += searched_[3 * n + i];
+    backend_.write_candidates(find_candidates(problem_.surface, places), searched_);
+  }
+
+  /// Forces at a displacement that a step of `step_before` seconds led to.
   void evaluate(double step_before) {
     backend_.run(Phase::block_force);
     backend_.run(Phase::gather_force);
+    if (large()) {
+      Controls contacts;
+      contacts.step_before = step_before;
+      contacts.contact_damping = solve_.contact_damping;
+      return backend_.run(Phase::moving_contacts, contacts);
+    }
     Controls controls;
     controls.time_step = step_before;
     if (cracks_.can_separate()) backend_.run(Phase::advance_springs, controls);
@@ -201,7 +230,7 @@ class Motion {
     const double could_be = start_energy_ + std::abs(m.supplied) + std::abs(m.rest_work);
     if (!std::isfinite(m.kinetic) || !std::isfinite(m.potential)) return stop_at_fastest("not finite");
     const bool runaway = m.kinetic > runaway_energy * could_be;
-    if (record || runaway || !balanced_ || problem_.contacts.count() == 0) balance(m);
+    if (record || runaway || !balanced_ || problem_.contacts.count() == 0 || large()) balance(m);
     if (runaway) return stop_at_fastest("runaway energy");
     if (cracks_.can_crack()) note_cracks(seconds);
     return true;
@@ -216,6 +245,12 @@ class Motion {
                                       std::pair{Field::spring_dissipation, "spring_dissipation"},
                                       std::pair{Field::load_work, "load_work"},
                                       std::pair{Field::damping_work, "damping_work"}})
+      exchange_field(e, name, backend_, field);
+    if (!large()) return;
+    e("motion.searched", searched_);
+    if (e.taking()) search_again();
+    for (const auto& [field, name] :
+         {std::pair{Field::probe_memory, "probe_memory"}, std::pair{Field::probe_loss, "probe_loss"}})
       exchange_field(e, name, backend_, field);
   }
 
@@ -240,7 +275,9 @@ class Motion {
     e.dissipated = m.damped;
     e.contacts = {};
     e.external_work = m.supplied;
-    if (problem_.contacts.count() > 0) {
+    if (large()) {
+      e.contacts.friction = m.rubbed;
+    } else if (problem_.contacts.count() > 0) {
       const std::vector<double> lost = backend_.read(Field::spring_dissipation);
       const std::vector<ContactPoint> points = contacts_.read();
       for (int c = 0; c < problem_.contacts.count(); ++c) {
@@ -301,8 +338,9 @@ class Motion {
   const DynamicLinks& links_;
   StageResult& result_;
   GivenInTime given_;
-  std::vector<double> mass_;   ///< [block nodes] kg
-  std::vector<double> state_;  ///< of the contact points at the last look
+  std::vector<double> mass_;      ///< [block nodes] kg
+  std::vector<double> state_;     ///< of the contact points at the last look
+  std::vector<double> searched_;  ///< displacement of the last search of contacts
   ContactReader contacts_;
   CrackEvents cracks_;
   double step_ = 0;
@@ -313,14 +351,15 @@ class Motion {
 
 }  // namespace
 
-StableStep stable_step(const Problem& problem, double stiffness_damping) {
+StableStep stable_step(const Problem& problem, double damping, bool large) {
   problem.backend->run(Phase::stiffness_bound);
   const std::vector<double> stiffness = problem.backend->read(Field::stiffness), mass = lumped_mass(problem);
   const ContactPoints& contacts = problem.contacts;
   const std::vector<int>& renumber = problem.discretisation.blocks.new_node;
   const ContactReader reader(problem);
   std::vector<double> springs(mass.size()), finer(mass.size());
-  for (int c = 0; c < contacts.count(); ++c) {
+  if (large) springs = contact_stiffness(problem.surface, static_cast<int>(mass.size()));
+  for (int c = 0; c < contacts.count() && !large; ++c) {
     if (contacts.is_tip(c)) continue;
     const double k = contacts.area[c] * std::max(contacts.normal_stiffness[c], contacts.shear_stiffness[c]);
     const double more = reader.law(c).separates() ? switching * switching : 1;
@@ -338,8 +377,13 @@ StableStep stable_step(const Problem& problem, double stiffness_damping) {
   StableStep step;
   step.blocks = 1 / std::sqrt(blocks);
   step.springs = between > 0 ? 1 / std::sqrt(between) : 0;
+  if (large) {  // damped is what contacts do alone: dt^2 lambda(K) / 4 + dt lambda(C) / 2 <= 1
+    const double resists = damping * between;
+    step.together = step.switching = 1 / (resists + std::sqrt(resists * resists + blocks + between));
+    return step;
+  }
   const auto damped = [&](double square) {
-    const double undamped = 1 / std::sqrt(square), xi = stiffness_damping / undamped;
+    const double undamped = 1 / std::sqrt(square), xi = damping / undamped;
     return undamped * (std::sqrt(1 + xi * xi) - xi);
   };
   step.together = damped(blocks + between);
@@ -349,7 +393,12 @@ StableStep stable_step(const Problem& problem, double stiffness_damping) {
 
 MotionSteps motion_steps(const Problem& problem, const Stage& stage) {
   const auto& solve = std::get<DynamicSolve>(stage.solve);
-  const StableStep bounds = stable_step(problem, solve.stiffness_damping);
+  if (solve.large_displacement && problem.backend->rounding() > 1e-10)
+    throw DeckError(stage.where, "stage '" + stage.name +
+                                     "': large_displacement needs double precision, because strains are small "
+                                     "differences of large movements; leave --precision single out");
+  const double damping = solve.large_displacement ? solve.contact_damping : solve.stiffness_damping;
+  const StableStep bounds = stable_step(problem, damping, solve.large_displacement);
   const double stable = bounds.together;
   if (solve.time_step > stable) {
     char text[200];

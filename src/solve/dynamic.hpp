@@ -18,7 +18,9 @@ struct StableStep {
   double together = 0;  ///< of both, and with stiffness-proportional damping
   double switching = 0;  ///< the same where contacts open, close and slide without energy from nothing
 };
-StableStep stable_step(const Problem& problem, double stiffness_damping);
+/// @param damping stiffness-proportional, s
+/// @param large whether contacts are those of large displacement
+StableStep stable_step(const Problem& problem, double damping, bool large = false);
 
 /// Equal steps of a stage, as long as they may be. Throws DeckError: a time step of the deck above the stable one.
 struct MotionSteps {

@@ -30,6 +30,7 @@ Problem::Problem(const Model& m, const RunOptions& options)
       contacts(place_contacts(m, blocks)),
       discretisation(
           discretise(m.mesh, blocks, material_indices(m), patch_slots(static_cast<int>(m.mesh.corners.size()), options.precision))),
+      surface(has_large_displacement(m) ? contact_surface(m, blocks, discretisation) : ContactSurface{}),
       initial(initial_state(m, blocks, setup())),
       backend(make_backend(setup(), options.precision, options.device, threads_of_lane(options), options.memory)) {
   if (!initial.history.empty()) backend->write(Field::history, initial.history);
@@ -50,6 +51,7 @@ Setup Problem::setup() const {
     setup.bbar.push_back(m.bbar.value_or(is_plastic(m.law)));
     setup.conductivity.push_back(m.conductivity.value_or(0));
   }
+  setup.surface = &surface;
   setup.reference_temperature = model.reference_temperature;
   for (const Stage& stage : model.stages)
     setup.motion = setup.motion || std::holds_alternative<DynamicSolve>(stage.solve);
@@ -84,7 +86,8 @@ Setup Problem::heat_setup() const {
           .reference_temperature = all.reference_temperature,
           .heat_only = true,
           .motion = false,
-          .crack_water = false};
+          .crack_water = false,
+          .surface = nullptr};
 }
 
 std::vector<double> Problem::to_machine(const std::vector<double>& block_order, int width) const {

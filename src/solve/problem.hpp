@@ -27,6 +27,7 @@ struct Problem {
   Blocks blocks;
   ContactPoints contacts;
   Discretisation discretisation;
+  ContactSurface surface;  ///< empty in models without large displacement
   InitialState initial;
   std::unique_ptr<Backend> backend;
   std::unique_ptr<Lane> heat_lane;  ///< none in models without coupled stages

@@ -239,7 +239,14 @@ void Recorder::snapshot(const Moment& moment) {
     s.damage = element_measure(problem_, Measure::damage);
     s.crack_normal = element_crack_normal(problem_);
   }
-  if (problem_.contacts.count() > 0) fill_contact_fields(ContactReader(problem_).read(), problem_.contacts.opening, s);
+  if (problem_.contacts.count() > 0) {
+    // Blocks that move far leave the contact points behind, which then bear nothing.
+    const auto* motion = std::get_if<DynamicSolve>(&problem_.model.stages[moment.stage].solve);
+    const std::vector<ContactPoint> points = motion && motion->large_displacement
+                                                 ? std::vector<ContactPoint>(problem_.contacts.count())
+                                                 : ContactReader(problem_).read();
+    fill_contact_fields(points, problem_.contacts.opening, s);
+  }
   observer_.output(s);
 }
 

@@ -125,7 +125,8 @@ class Run {
           std::pair{Field::load, "load"}, std::pair{Field::force, "force"}, std::pair{Field::fixed, "fixed"},
           std::pair{Field::warming, "warming"}, std::pair{Field::history, "history"}, std::pair{Field::slip, "slip"},
           std::pair{Field::contact_state, "contact_state"}, std::pair{Field::contact_damage, "contact_damage"},
-          std::pair{Field::crack_water, "crack_water"}, std::pair{Field::temperature, "temperature"}})
+          std::pair{Field::crack_water, "crack_water"}, std::pair{Field::temperature, "temperature"},
+          std::pair{Field::probe_memory, "probe_memory"}})
       exchange_field(e, name, *problem_.backend, field);
     if (e.taking()) problem_.backend->use_warming(warming_used_);
   }

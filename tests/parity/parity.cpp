@@ -282,6 +282,49 @@ std::vector<double> move(const Problem& p, Backend& b, int steps) {
   return all;
 }
 
+/// A motion in large displacement, contacts searched again on the way.
+std::vector<double> tumble(const Problem& p, Backend& b, int steps) {
+  const MechanicalConditions conditions = mechanical_conditions(p, 0);
+  b.write(Field::load, p.to_machine(conditions.load, 3));
+  b.write(Field::fixed, p.to_machine(conditions.fixed, 1));
+  b.run(Phase::stiffness_bound);
+  std::vector<double> inverse_mass = b.read(Field::stiffness);
+  for (double& m : inverse_mass) m = 1 / (1e-6 * m);
+  b.write(Field::inverse_mass, inverse_mass);
+  b.use_large_displacement(true);
+  b.run(Phase::start_motion);
+  const auto search = [&] {
+    const std::vector<double> u = b.read(Field::displacement);
+    std::vector<Vec3<double>> places = p.discretisation.block_points;
+    for (std::size_t n = 0; n < places.size(); ++n)
+      for (int i = 0; i < 3; ++i) places[n][i] += u[3 * n + i];
+    b.write_candidates(find_candidates(p.surface, places), u);
+  };
+  search();
+  Controls controls;
+  controls.velocity_step = controls.time_step = 1e-4;
+  controls.contact_damping = 1e-4;
+  controls.mass_damping = 3;
+  MotionMeasure m;
+  std::vector<double> all;
+  for (int step = 0; step < steps; ++step) {
+    b.run(Phase::block_force);
+    b.run(Phase::gather_force);
+    b.run(Phase::moving_contacts, controls);
+    controls.step_before = controls.time_step;
+    m = b.motion_sums(controls.time_step);
+    b.run(Phase::step_motion, controls);
+    all.push_back(b.moved_far(1e-9 * step, 0));
+    if (step % 20 == 19) search();
+  }
+  b.run(Phase::block_stress);
+  all.insert(all.begin(), {m.kinetic, m.potential, m.rubbed, m.supplied, m.damped});
+  for (const Field f : {Field::displacement, Field::velocity, Field::force, Field::probe_memory, Field::probe_loss,
+                        Field::stress})
+    for (const double value : b.read(f)) all.push_back(value);
+  return all;
+}
+
 /// Steps in a row, as machines fuse them: cold, then warm.
 std::vector<double> relax(const Problem& p, Backend& b, int steps) {
   const MechanicalConditions conditions = mechanical_conditions(p, 0);
@@ -367,6 +410,20 @@ TEST_P(Parity, AnNvidiaDeviceGivesTheSameBits) {
   std::printf("  %s: %zu displacements, %zu stresses, %zu temperatures compared bit by bit after %d steps\n",
               device_backend()->name().c_str(), cpu.displacement.size(), cpu.stress.size(), cpu.temperature.size(),
               steps);
+}
+
+TEST(LargeDisplacement, EveryMachineMovesByTheSameBits) {
+  Model model = dam("dam_D0_r1_ny2.msh", Blocks::cracked);
+  model.interfaces[0].values.merge(std::map<std::string, double>{{"normal_stiffness", 1e9}, {"shear_stiffness", 5e8}});
+  model.stages[0].solve = DynamicSolve{.duration = 1, .large_displacement = true};
+  const auto precision = Precision::double_precision;
+  const Problem problem(model, {precision, 1});
+  const auto one = tumble(problem, *problem.backend, 100);
+  EXPECT_GT(one[0], 0) << "nothing moved: the comparison would be empty";
+  EXPECT_GT(one[2], 0) << "nothing rubbed: the comparison would be empty";
+  expect_same_bits(one, tumble(problem, *make_cpu_backend(problem.setup(), precision, 3), 100), "3 threads");
+  if (cuda_support().devices.empty()) GTEST_SKIP() << cuda_support().missing;
+  expect_same_bits(one, tumble(problem, *make_cuda_backend(problem.setup(), precision, 0), 100), "device");
 }
 
 std::string case_name(const testing::TestParamInfo<Parity::ParamType>& info) {

@@ -330,6 +330,13 @@ TEST(dynamic, too_long_a_time_step_is_refused_before_anything_is_solved) {
   }
 }
 
+TEST(dynamic, large_displacement_is_refused_in_single_precision_whose_strains_would_drown) {
+  Model m = bar(2);
+  m.stages = {stage("fall", DynamicSolve{.duration = 1, .large_displacement = true})};
+  const Problem problem(m, {.precision = Precision::single_precision, .threads = 1});
+  EXPECT_THROW(motion_steps(problem, m.stages[0]), DeckError);
+}
+
 // ---------------------------------------------------------------- contacts
 
 /// Two cubes on each other, joined by a law; regions "lower" and "upper".

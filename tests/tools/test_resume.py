@@ -70,6 +70,24 @@ stage "rest" { solve = static { tolerance = 1e-6, increments = 3 } }
 stage "factor" { solve = strength_reduction { between = { 1, 64 }, width = 1, tolerance = 1e-5, max_steps = 400 } }
 stage "push" { apply = { pressure { surface = "over.left", value = 0.1*MPa } }, solve = static { tolerance = 1e-6 } }
 """
+# A deck of its own: a block falls on an edge of its own, tumbles and slides.
+TUMBLE = """
+model "tumble" {}
+box "ground" { from = {-1,-1,-0.2}, to = {1,1,0}, cells = {3,3,1} }
+box "block" { from = {-0.1,-0.1,-0.1}, to = {0.1,0.1,0.1}, cells = {2,2,2},
+  x = function(x, y, z) return 0.8 * x + 0.6 * z end, z = function(x, y, z) return 0.2 - 0.6 * x + 0.8 * z end }
+material "rock" { region = { "ground", "block" }, density = 2500*kg/m^3, young = 5*GPa, poisson = 0.2 }
+joint "contact" { between = { "ground", "block" }, law = "frictional", friction = 20*deg,
+  normal_stiffness = 5e9*Pa/m, shear_stiffness = 5e9*Pa/m }
+surface "held" { of = "ground" }
+fix { surface = "held", x = 0, y = 0, z = 0 }
+gravity { x = 3, z = -9.81 }
+history "middle" { at = {0,0,0.2*m}, record = { "displacement", "velocity", "stress" } }
+history "all" { record = { "energy" } }
+output "all" { every = 5, record = { "displacement", "stress" } }
+stage "fall" { solve = dynamic { duration = 0.4*s, record_every = 0.01*s, large_displacement = true, contact_damping = 1e-5 } }
+stage "slide" { solve = dynamic { duration = 0.4*s, record_every = 0.01*s, large_displacement = true, mass_damping = 1 } }
+"""
 PLASTIC = 'law = "mohr_coulomb", cohesion = 1*MPa, friction = 30*deg'
 
 
@@ -84,7 +102,7 @@ class Resume(unittest.TestCase):
 
     def deck(self, stages, law=""):
         velocity = '"velocity",' if "dynamic" in stages else ""
-        deck = WALL.replace("LAW", law).replace("VELOCITY", velocity) + stages
+        deck = stages if "model" in stages else WALL.replace("LAW", law).replace("VELOCITY", velocity) + stages
         (self.folder / "wall.lua").write_text(deck, encoding="utf-8")
 
     def ashlar(self, *words, code=0):
@@ -164,6 +182,9 @@ class Resume(unittest.TestCase):
 
     def test_a_motion_in_single_precision_goes_on(self):
         self.expect_to_go_on(SHAKE, [(1, 8)], extra=("--precision", "single"))
+
+    def test_blocks_that_move_far_go_on(self):
+        self.expect_to_go_on(TUMBLE, [(0, 20), (1, 50)])
 
     def test_a_coupled_stage_goes_on(self):
         self.expect_to_go_on(SEASONS, [(1, 8), (1, 14)])

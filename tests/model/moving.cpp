@@ -1,0 +1,70 @@
+#include "model/contact/moving.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "model/grid.hpp"
+
+namespace ashlar {
+namespace {
+
+/// Two unit cubes beside each other along x, of one element each.
+struct Cubes {
+  Model model;
+  Blocks blocks;
+  Discretisation discretisation;
+  ContactSurface surface;
+  std::vector<int> right;  ///< nodes of the second one, the machine's numbers
+
+  Cubes() {
+    model.mesh = test::grid(2, 1, 1);
+    model.interfaces = {test::interface_of(true, {"body"})};
+    model.interfaces[0].law = "frictional";
+    model.interfaces[0].values = {{"friction", 0.5}, {"normal_stiffness", 2e9}, {"shear_stiffness", 1e9}};
+    blocks = split_blocks(model, find_faces(model.mesh));
+    discretisation = discretise(model.mesh, blocks, {0}, 1024);
+    surface = contact_surface(model, blocks, discretisation);
+    for (int k = 8; k < 16; ++k) right.push_back(discretisation.blocks.new_node[blocks.corners[k]]);
+  }
+  /// Candidates after the second cube has moved.
+  ContactCandidates moved(const Vec3<double>& by) const {
+    std::vector<Vec3<double>> places = discretisation.block_points;
+    for (const int n : right) places[n] = places[n] + by;
+    return find_candidates(surface, places);
+  }
+};
+
+TEST(moving_contacts, probes_of_a_cube_share_the_area_of_its_faces) {
+  const Cubes cubes;
+  const ContactSurface& s = cubes.surface;
+  EXPECT_EQ(s.probe_count(), 2 * 8 * 3);  // three faces meet at every corner
+  EXPECT_EQ(s.triangle_count(), 2 * 6 * 2);
+  EXPECT_NEAR(std::accumulate(s.area.begin(), s.area.end(), 0.0), 12, 1e-12);
+}
+
+TEST(moving_contacts, faces_that_touch_find_each_other_both_ways) {
+  const Cubes cubes;
+  const ContactSurface& s = cubes.surface;
+  const ContactCandidates found = cubes.moved({});
+  int near = 0;
+  double area = 0;
+  for (int p = 0; p < s.probe_count(); ++p) {
+    if (found.first[p] == found.first[p + 1]) continue;
+    ++near;
+    area += found.area[found.first[p]];
+    for (int j = found.first[p]; j < found.first[p + 1]; ++j)
+      EXPECT_NE(s.block[found.triangle[j]], s.probe_block[p]) << "a block does not touch itself";
+  }
+  EXPECT_EQ(near, 8);
+  EXPECT_NEAR(area, 2, 1e-12);  // the shared face from both sides
+}
+
+TEST(moving_contacts, what_is_further_than_the_skin_is_not_found) {
+  const Cubes cubes;
+  EXPECT_GT(cubes.moved({0.5 * cubes.surface.skin, 0, 0}).triangle.size(), 0u);
+  EXPECT_EQ(cubes.moved({3 * cubes.surface.skin, 0, 0}).triangle.size(), 0u);
+}
+
+}  // namespace
+}  // namespace ashlar
