@@ -73,6 +73,7 @@ struct BodyView {
   Real* history = nullptr;              ///< [numbers a point remembers][Gauss points that remember]
   int history_stride = 0;               ///< Gauss points that remember
   Real* corner_gradient = nullptr;      ///< [3 * slots] 1/m, mean over the element; null: no law asks for it
+  Real* averaged = nullptr;  ///< [Gauss points] dilatation or mean stress of averaged elements; null: there are none
 };
 
 }  // namespace ashlar
