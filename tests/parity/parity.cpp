@@ -48,7 +48,8 @@ Mesh cut_into_wedges(const Mesh& hexahedra) {
 /// The same nodes, every hexahedron cut into tetrahedra from its smallest node.
 Mesh cut_into_tetrahedra(const Mesh& hexahedra) {
   Mesh m = hexahedra;
-  m.shapes.clear(), m.regions.clear(), m.corners.clear(), m.first_corner = {0};
+  m.shapes.clear(), m.regions.clear(), m.corners.clear(), m.source_ids.clear(), m.first_corner = {0};
+  std::vector<int> first{0};  // of each hexahedron
   for (int e = 0; e < hexahedra.element_count(); ++e) {
     const auto corners = hexahedra.element(e);
     const int apex = *std::min_element(corners.begin(), corners.end());
@@ -58,7 +59,21 @@ Mesh cut_into_tetrahedra(const Mesh& hexahedra) {
       const auto smallest = std::min_element(quad.begin(), quad.end());
       if (*smallest == apex) continue;
       std::rotate(quad.begin(), smallest, quad.end());
-      for (const int k : {1, 2}) m.add_element(Shape::tet4, {quad[0], quad[k + 1], quad[k], apex}, hexahedra.regions[e], 0);
+      for (const int k : {1, 2})
+        m.add_element(Shape::tet4, std::vector{quad[0], quad[k + 1], quad[k], apex}, hexahedra.regions[e], 0);
+    }
+    first.push_back(m.element_count());
+  }
+  for (std::size_t s = 0; s < m.surfaces.size(); ++s) {
+    m.surfaces[s].facets.clear();
+    for (const Facet& facet : hexahedra.surfaces[s].facets) {
+      const std::vector<int> whole = hexahedra.facet_nodes(facet);
+      for (int e = first[facet.element]; e < first[facet.element + 1]; ++e)
+        for (int f = 0; f < 4; ++f) {
+          const std::vector<int> part = m.facet_nodes({e, f});
+          const auto on_it = [&](int n) { return std::find(whole.begin(), whole.end(), n) != whole.end(); };
+          if (std::all_of(part.begin(), part.end(), on_it)) m.surfaces[s].facets.push_back({e, f});
+        }
     }
   }
   return m;
