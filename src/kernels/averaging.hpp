@@ -46,7 +46,8 @@ struct CornerMean {
 
   ASHLAR_HD void operator()(int k) const {
     Real sum = 0;
-    for (int j = corners.first[k]; j < corners.first[k + 1]; ++j) sum = fma(corners.share[j], of[corners.around[j]], sum);
+    for (int j = corners.first[k]; j < corners.first[k + 1]; ++j)
+      sum = fma(corners.share[j], of[corners.around[j]], sum);
     corners.value[k] = sum;
   }
 };

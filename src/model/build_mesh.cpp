@@ -35,6 +35,7 @@ class Assembly {
     complaints_.raise();
     check_mesh(mesh_, region_declared_, joined_regions());
     note_locking();
+    note_packing();
     add_surfaces();
     for (const std::string& doubt : doubts(model_)) model_.notes.push_back(doubt);
   }
@@ -47,6 +48,23 @@ class Assembly {
         model_.notes.push_back("material '" + material.name +
                                "': formulation = \"full\" locks in plastic flow; collapse loads may come out tens of per "
                                "cent too high, \"bbar\" does not lock");
+  }
+
+  /// Springs get their stiffness by how blocks lie.
+  void note_packing() {
+    for (const Material& material : model_.materials) {
+      if (material.law != DiscreteSpring::name) continue;
+      const bool bricks = make_law<DiscreteSpring>(material.values).packing == 0;
+      for (int e = 0; e < mesh_.element_count(); ++e) {
+        const std::string& region = mesh_.region_names[mesh_.regions[e]];
+        if (std::find(material.regions.begin(), material.regions.end(), region) == material.regions.end()) continue;
+        if ((mesh_.shapes[e] == Shape::hex8) == bricks) continue;
+        model_.notes.push_back("material '" + material.name + "': packing = \"" + (bricks ? "bricks" : "irregular") +
+                               "\" on " + shape_name(mesh_.shapes[e]) + " of region '" + region +
+                               "'; its young and poisson will be others");
+        break;
+      }
+    }
   }
 
   std::set<std::pair<int, int>> joined_regions() const {

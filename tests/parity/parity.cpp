@@ -418,7 +418,8 @@ INSTANTIATE_TEST_SUITE_P(DamD0, Parity,
 INSTANTIATE_TEST_SUITE_P(OtherD0, Parity,
                          testing::Combine(testing::Values(Precision::double_precision, Precision::single_precision),
                                           testing::Values(Blocks::mixed, Blocks::tetrahedra, Blocks::plastic,
-                                                          Blocks::breaking, Blocks::jointed, Blocks::unmatched, Blocks::softening),
+                                                          Blocks::breaking, Blocks::jointed, Blocks::unmatched,
+                                                          Blocks::softening),
                                           testing::Values("dam_D0_r1_ny2.msh")),
                          case_name);
 
