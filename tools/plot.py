@@ -16,6 +16,7 @@ examples
   ashlar plot dam.run --of stress.zz --section y=2.5 --regions dam
   ashlar plot dam.run --of cracks --deform 200 --view iso
   ashlar plot dam.run --history crest
+  ashlar plot rock.csv                                       the curves of ashlar material dam.lua rock --to rock.csv
   ashlar plot dam.run --of temperature --profile 0,30:60,30  from (x, z) to (x, z)
 """
 
@@ -41,7 +42,7 @@ def line(word):
 def read_arguments(words):
     parser = argparse.ArgumentParser(prog="ashlar plot", description="Makes pictures (PNG) of a run.", epilog=EXAMPLES,
                                      formatter_class=argparse.RawDescriptionHelpFormatter, allow_abbrev=False)
-    parser.add_argument("run", metavar="RUN", help="folder of a run")
+    parser.add_argument("run", metavar="RUN", help="folder of a run, or curves of `ashlar material` (.csv)")
     parser.add_argument("--of", metavar="FIELD", help="displacement, temperature, stress.zz, ..., or cracks")
     parser.add_argument("--stage", default="", help="at the end of this stage (the last)")
     parser.add_argument("--deform", metavar="X", type=magnification, default=0.0,
@@ -71,6 +72,11 @@ def asked_pictures(run):
 
 def main(words):
     arguments = read_arguments(words)
+    if arguments.run.endswith(".csv"):
+        path = pathlib.Path(arguments.out or pathlib.Path(arguments.run).with_suffix(".png"))
+        pictures.material_picture(arguments.run, path)
+        print(path)
+        return
     run = results.Run(arguments.run)
     if len(words) == 1:
         made = []

@@ -1,8 +1,8 @@
 -- Case P31: a rigid smooth strip footing of half width 1 on clay without friction, 6 x 4 of it, plane strain.
 -- Source: Prandtl 1921: 5.1416 times the cohesion. CalculiX 2.20, C3D8I, elements of 0.25: plateau at 5.52 for a half
 --   width of 1 and 4.91 for 1.125, the last node that goes down and the middle of the gap beside it.
--- Accept: -5 % to +12 % on a plateau. B-bar hex8; full integration goes on rising.
--- Runs: elements=hex8 | elements=wedge6
+-- Accept: -5 % to +12 % on a plateau. With formulation=full hex8 goes on rising and tet4 ends at 6.55.
+-- Runs: elements=hex8 | elements=wedge6 | elements=tet4
 local args = deck.args {
   formulation = { default = "bbar", doc = "bbar, or full to see it lock" },
   elements    = { default = "hex8", doc = "hex8, wedge6 or tet4" },

@@ -1,7 +1,8 @@
 -- Case P2: patch test. A field that is linear on the boundary is linear inside, whatever the shape of the elements.
 -- Source: exact; the idea is that of MacNeal and Harder 1985, whose own seven cells are P1.
 -- Accept: 1e-6 of stress and displacement.
--- Runs: elements=hex8 | elements=wedge6 | elements=tet4 | elements=hex8 formulation=bbar | elements=wedge6 formulation=bbar
+-- Runs: elements=hex8 | elements=wedge6 | elements=tet4 | elements=hex8 formulation=bbar | elements=wedge6 formulation=bbar |
+--   elements=tet4 formulation=bbar
 local args = deck.args {
   elements = { default = "hex8", doc = "27 hex8, or each as two wedge6 or six tet4" },
   formulation = { default = "full", doc = "full or bbar" },

@@ -1,7 +1,7 @@
 -- Case P1: patch test of MacNeal and Harder: a skew cell inside the unit cube and the six around it, under a linear field.
 -- Source: exact; the mesh is that of MacNeal and Harder 1985.
 -- Accept: 1e-6 of stress and displacement.
--- Runs: elements=wedge6 | elements=tet4 | elements=wedge6 formulation=bbar
+-- Runs: elements=wedge6 | elements=tet4 | elements=wedge6 formulation=bbar | elements=tet4 formulation=bbar
 -- As hexahedra, one of the seven is turned over at a corner, (0.320, 0.186, 0.643): its edges there span -0.01265, so that
 -- no deck may have it. All its Gauss points are sound: tests/solve/patch.cpp solves the seven hexahedra below the check.
 local args = deck.args {

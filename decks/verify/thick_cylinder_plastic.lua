@@ -3,12 +3,13 @@
 --   p = c cot(phi) [(b/a)^((N-1)/N) - 1], N = (1 + sin phi) / (1 - sin phi): 1.01741 MPa at phi = 30 deg.
 --   Widening u(a) at 0.8, 1.0 and 1.2 MPa without friction: CalculiX 2.20, C3D8I, 8 x 8 elements.
 -- Accept: limit pressure within 2 %, on a plateau; widening 2 % (there 8 x 8 of another element).
--- Runs: friction=0 | friction=30 | friction=0 elements=wedge6 | friction=30 elements=wedge6 | friction=30 law=mohr_coulomb
+-- Runs: friction=0 | friction=30 | friction=0 elements=wedge6 | friction=30 elements=wedge6 | friction=30 law=mohr_coulomb |
+--   friction=0 elements=tet4 | friction=30 elements=tet4 | friction=30 law=mohr_coulomb elements=tet4
 local args = deck.args {
   friction    = { default = 0, doc = "angle of friction and dilation, degrees" },
   law         = { default = "drucker_prager", doc = "with friction: drucker_prager (plane_strain) or mohr_coulomb" },
   n           = { default = 16, doc = "elements across the wall and along the quarter" },
-  elements    = { default = "hex8", doc = "hex8 or wedge6" },
+  elements    = { default = "hex8", doc = "hex8, wedge6 or tet4" },
   formulation = { default = "bbar", doc = "bbar, or full to see it lock" },
 }
 local a, b, thick, cohesion = 1, 2, 0.25, 1e6

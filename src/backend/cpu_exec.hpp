@@ -24,6 +24,16 @@ struct PackedPoints {
     for (int l = 0; l < lane_count<V>; ++l) w.lanes[l] = body.warming[batch.gauss(element(l), g)];
     return w;
   }
+  Sym3<V> averaged_stress(int g) const {
+    Sym3<V> s;
+    V mean;
+    for (int l = 0; l < lane_count<V>; ++l) {
+      const int at = batch.gauss(element(l), g);
+      for (int c = 0; c < 6; ++c) s[c].lanes[l] = body.stress[6 * at + c];
+      mean.lanes[l] = body.averaged[at];
+    }
+    return with_mean(s, mean);
+  }
   Real length(int lane, const Vec3<Real>& normal) const { return length_across(body, batch, element(lane), normal); }
   template <class History>
   void read_history(int g, History& h) const {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "backend/averaging.hpp"
 #include "backend/backend.hpp"
 #include "backend/balance_lane.hpp"
 #include "backend/heat_lane.hpp"
@@ -103,6 +104,7 @@ class Phases final : public Backend {
     switch (phase) {
       case Phase::block_force:
         if (large_) return each_turning([&](auto element, auto law, int b) { elastic_forces(element, law, b, body_); });
+        average(body_);
         return each_batch([&](auto element, auto law, int b) { block_force(element, law, b); });
       case Phase::gather_force: return gather_boundary(body_.force);
       case Phase::move_nodes:
@@ -116,9 +118,11 @@ class Phases final : public Backend {
       case Phase::block_stress:
         if (large_)
           return each_turning([&](auto element, const auto& law, int b) { gauss_stress<false>(element, law, b); });
+        average_dilatation(body_);
         return each_batch([&](auto element, const auto& law, int b) { gauss_stress<false>(element, law, b); });
       case Phase::spring_force: return spring_force();
       case Phase::advance_history:
+        average_dilatation(body_);
         each_batch([&](auto element, const auto& law, int b) {
           if constexpr (std::decay_t<decltype(law)>::history_size > 0) gauss_stress<true>(element, law, b);
         });
@@ -368,8 +372,10 @@ class Phases final : public Backend {
              .history = history_.data(),
              .history_stride = first_history_.back(),
              .remembers = remembers_.data(),
-             .corner_gradient = nullptr};
+             .corner_gradient = nullptr,
+             .averaged = nullptr};
     find_gradients();
+    find_averages();
   }
   BalanceView<Real> balance_view() { return balance_.view(body_, groups_); }
   /// What stages add at most: groups, elastic search, motion.
@@ -482,6 +488,7 @@ class Phases final : public Backend {
       exec_.repeat(std::string(free ? "free" : "jointed") + (warm_ ? ", warm" : ""), steps, [&] {
         if (free) {
           const MoveNode<Real> step{body_, damping_.data()};
+          average(body_);
           each_batch([&](auto element, const auto& law, int b) { step_patches(element, law, b, step); });
           exec_.step_boundary(body_, discretisation_, step);
         } else {
@@ -502,8 +509,8 @@ class Phases final : public Backend {
     add_overlap_force(springs_.overlaps(), body_.u, body_.force);
     exec_.step_clusters(springs_.pairs(), groups_, step);
   }
-  /// All steps at once, where every batch has the same element and a law of one kind without memory, and the machine
-  /// can.
+  /// All steps at once, where every batch has the same element and a law of one kind without memory, elements look at
+  /// themselves only, and the machine can.
   bool march_blocks(int steps) {
     if constexpr (Exec::marches) {
       const std::vector<Batch>& batches = discretisation_.batches;
@@ -523,10 +530,11 @@ class Phases final : public Backend {
               for (const Batch& b : batches)
                 points.push_back(std::get<Law>(laws_[b.material]).template prepare<Real>());
               with_element(batches[0].shape, bbar_[batches[0].material], [&]<template <class> class E>(ElementTag<E>) {
-                with_warmth<Point>([&]<bool Warm>() {
-                  marched = exec_.template march_blocks<E, Warm>(body_, views, points, discretisation_,
-                                                                 MoveNode<Real>{body_, damping_.data()}, steps);
-                });
+                if constexpr (!is_averaged<E>)
+                  with_warmth<Point>([&]<bool Warm>() {
+                    marched = exec_.template march_blocks<E, Warm>(body_, views, points, discretisation_,
+                                                                   MoveNode<Real>{body_, damping_.data()}, steps);
+                  });
               });
             }
             return marched;
@@ -628,6 +636,51 @@ class Phases final : public Backend {
       }
     });
   }
+  void find_averages() {
+    std::vector<int> averaged;
+    each_averaged([&](auto, const auto&, int b) { averaged.push_back(b); });
+    if (averaged.empty()) return;
+    averaging_.assign(discretisation_, averaged);
+    body_.averaged = averaging_.mean();
+  }
+  /// each_batch() of those whose elements take means over their neighbourhood.
+  template <class Work>
+  void each_averaged(Work work) {
+    each_batch([&]<template <class> class E>(ElementTag<E> element, const auto& law, int b) {
+      if constexpr (is_averaged<E>) work(element, law, b);
+    });
+  }
+  void average_dilatation(const BodyView<Real>& body) {
+    if (!averaging_.any()) return;
+    each_averaged([&](auto, const auto&, int b) {
+      const BatchView batch = batch_view(b);
+      exec_.for_each(batch.element_count, OwnDilatation<Real>{body, batch});
+    });
+    averaging_.spread(exec_, [&](int b) { return batch_view(b); });
+  }
+  /// Before element forces: dilatation, stress by the law or the elastic part of it alone, its mean.
+  void average(const BodyView<Real>& body) {
+    average_with(body, [&]<template <class> class E, class Point>(ElementTag<E>, const Point& law, int b) {
+      with_warmth<Point>([&]<bool Warm>() { averaged_stress<E, Warm>(body, law, b); });
+    });
+  }
+  void average_elastic(const BodyView<Real>& body) {
+    average_with(body, [&]<template <class> class E>(ElementTag<E>, const auto& law, int b) {
+      averaged_stress<E, false>(body, law.elastic(), b);
+    });
+  }
+  template <class StressOf>
+  void average_with(const BodyView<Real>& body, const StressOf& stress_of) {
+    if (!averaging_.any()) return;
+    average_dilatation(body);
+    each_averaged(stress_of);
+    averaging_.spread(exec_, [&](int b) { return batch_view(b); });
+  }
+  template <template <class> class E, bool Warm, class Point>
+  void averaged_stress(const BodyView<Real>& body, const Point& law, int b) {
+    const BatchView batch = batch_view(b);
+    exec_.for_each(batch.element_count, AveragedStress<E, Warm, Point, Real>{body, batch, law});
+  }
   void gather_boundary(Real* sum) {
     exec_.for_each(discretisation_.blocks.boundary_count(), GatherBoundary<Real, 3>{body_.nodes, body_.partial, sum});
   }
@@ -649,6 +702,7 @@ class Phases final : public Backend {
     BodyView<Real> moved = body_;
     moved.u = {view.direction};
     moved.force = view.product;
+    average_elastic(moved);
     each_batch([&](auto element, const auto& law, int b) { elastic_forces(element, law.elastic(), b, moved); });
     gather_boundary(view.product);
     SpringView<Real> pairs = springs_.pairs();
@@ -663,6 +717,7 @@ class Phases final : public Backend {
     BodyView<Real> moved = body_;
     moved.u = {u_before_.view().high};
     moved.force = motion_.scale_velocity(exec_, body_, factor, moved.u.high);
+    average_elastic(moved);
     each_batch([&](auto element, const auto& law, int b) { elastic_forces(element, law.elastic(), b, moved); });
     gather_boundary(moved.force);
   }
@@ -757,6 +812,7 @@ class Phases final : public Backend {
   Array<Real> no_slip_;
   HeatLane<Exec, Real> heat_;
   MotionLane<Exec, Real> motion_;
+  Averaging<Exec, Real> averaging_;
   std::map<Field, PartedField<Exec, Real>> parts_;
   SummedArray<Exec, Real> u_, u_before_;
   Array<Real> x_, v_, load_, force_, kept_force_, inverse_mass_, stiffness_, corner_force_, partial_,

@@ -110,7 +110,7 @@ std::vector<ContactSum> sum_contacts(const Model& model, const Blocks& blocks, c
       const Material* material = material_of(model, model.mesh.region_names[model.mesh.regions[side.element]]);
       const double half_height = element_volume(model.mesh, side.element) / face_area / 2;
       const double stiffness = make_law<Elastic>(material->values).oedometric();
-      sum.body_compliance += contacts.area[i] * half_height / stiffness;
+      if (material->law != DiscreteSpring::name) sum.body_compliance += contacts.area[i] * half_height / stiffness;
     }
   }
   return sums;
@@ -150,8 +150,10 @@ void describe_contacts(Page& page, const Model& model, const Blocks& blocks, con
     if (const JointMatch& match = blocks.matches[i]; match.joined) describe_match(page, match);
     if (sum.points)
       page.line("contacts",
-                text("  normal stiffness %.3g to %.3g Pa/m: across its faces the elements are about %.2g %% too soft",
-                     sum.lowest, sum.highest, 100 * sum.spring_compliance / sum.body_compliance));
+                text("  normal stiffness %.3g to %.3g Pa/m", sum.lowest, sum.highest) +
+                    (sum.body_compliance > 0 ? text(": across its faces the elements are about %.2g %% too soft",
+                                                    100 * sum.spring_compliance / sum.body_compliance)
+                                             : ", of a discrete_spring material: they are its elasticity"));
   }
 }
 

@@ -81,7 +81,7 @@ int material_command(const Arguments& arguments) {
   for (const MaterialCurve& curve : curves) describe(page, curve, counted_by(material.law));
   if (!arguments.to.empty()) {
     write_curves(arguments.to, arguments.force, curves, counted_by(material.law));
-    page.line("files", arguments.to);
+    page.line("files", arguments.to + "  (`ashlar plot " + arguments.to + "` draws it)");
   }
   std::fputs(page.lines().c_str(), stdout);
   return 0;

@@ -59,6 +59,10 @@ struct PointStress {
       return law.stress(strain);
     }
   }
+  /// See Tet4Averaged.
+  ASHLAR_HD Sym3<V> averaged_stress(int g) const requires requires(const Points& p) { p.averaged_stress(0); } {
+    return points.averaged_stress(g);
+  }
   /// See gauss_point_force().
   ASHLAR_HD Sym3<V> weighted(int g, const Sym3<V>& strain, const V& det, const V& inverse, const V& weight) const
       requires(Point::history_size == 0) {
@@ -106,6 +110,14 @@ struct FindMemory {
   }
 };
 
+/// Stress with `mean` as its mean.
+template <class V>
+ASHLAR_HD Sym3<V> with_mean(Sym3<V> s, const V& mean) {
+  const V change = mean - V(Scalar<V>(1.0 / 3)) * (s.xx + s.yy + s.zz);
+  for (int c = 0; c < 3; ++c) s[c] = s[c] + change;
+  return s;
+}
+
 /// The Gauss points of one element in memory.
 template <class Real>
 struct StoredPoints {
@@ -114,6 +126,17 @@ struct StoredPoints {
   int element;
   ASHLAR_HD Real length(int, const Vec3<Real>& normal) const { return length_across(body, batch, element, normal); }
   ASHLAR_HD Real warming(int g) const { return body.warming[batch.gauss(element, g)]; }
+  ASHLAR_HD Real averaged(int g) const { return body.averaged[batch.gauss(element, g)]; }
+  ASHLAR_HD Sym3<Real> averaged_stress(int g) const {
+    Sym3<Real> s;
+    for (int c = 0; c < 6; ++c) s[c] = body.stress[6 * batch.gauss(element, g) + c];
+    return with_mean(s, averaged(g));
+  }
+  /// For averaged_stress(): a stress, its mean to be averaged.
+  ASHLAR_HD void keep(int g, const Sym3<Real>& s) const {
+    for (int c = 0; c < 6; ++c) body.stress[6 * batch.gauss(element, g) + c] = s[c];
+    body.averaged[batch.gauss(element, g)] = Real(1.0 / 3) * (s.xx + s.yy + s.zz);
+  }
   template <class History>
   ASHLAR_HD void read_history(int g, History& h) const {
     if (!body.remembers[batch.history(element, 0)]) return;  // h is 0
@@ -169,11 +192,12 @@ struct GaussStrain {
   BatchView batch;
 
   struct Keeper {
-    Real* out;
-    BatchView batch;
+    const BodyView<Real>& body;
+    const BatchView& batch;
     int element;
+    ASHLAR_HD Real dilatation(int g) const { return body.averaged[batch.gauss(element, g)]; }
     ASHLAR_HD Sym3<Real> operator()(int g, const Sym3<Real>& strain) const {
-      for (int c = 0; c < 6; ++c) out[6 * batch.gauss(element, g) + c] = strain[c];
+      for (int c = 0; c < 6; ++c) body.stress[6 * batch.gauss(element, g) + c] = strain[c];
       return {};
     }
   };
@@ -182,7 +206,7 @@ struct GaussStrain {
     constexpr int corners = Element<Real>::corners;
     Real x[3][corners], u[3][corners], f[3][corners];
     read_corners(body, batch, i, x, u);
-    const Keeper keeper{body.stress, batch, i};
+    const Keeper keeper{body, batch, i};
     Element<Real>::force(x, u, f, keeper);
   }
 };

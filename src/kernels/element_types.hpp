@@ -20,7 +20,7 @@ auto with_element(Shape shape, bool bbar, const Work& work) {
     case Shape::wedge6: return bbar ? work(ElementTag<Wedge6BBar>{}) : work(ElementTag<Wedge6>{});
     case Shape::tet4: break;
   }
-  return work(ElementTag<Tet4>{});
+  return bbar ? work(ElementTag<Tet4Averaged>{}) : work(ElementTag<Tet4>{});
 }
 /// The same of elements in large displacement.
 template <class Work>

@@ -37,6 +37,7 @@ class Assembly {
     check_mesh(mesh_, region_declared_, joined_regions());
     note_locking();
     part_heat();
+    note_packing();
     add_surfaces();
     for (const std::string& doubt : doubts(model_)) model_.notes.push_back(doubt);
   }
@@ -44,21 +45,27 @@ class Assembly {
  private:
   /// Plastic flow keeps its volume, nearly; elements that cannot do so without stiffening give collapse loads too high.
   void note_locking() {
+    for (const Material& material : model_.materials)
+      if (is_plastic(material.law) && !material.bbar.value_or(true))
+        model_.notes.push_back("material '" + material.name +
+                               "': formulation = \"full\" locks in plastic flow; collapse loads may come out tens of per "
+                               "cent too high, \"bbar\" does not lock");
+  }
+
+  /// Springs get their stiffness by how blocks lie.
+  void note_packing() {
     for (const Material& material : model_.materials) {
-      if (!is_plastic(material.law)) continue;
-      std::set<std::string> kinds;
+      if (material.law != DiscreteSpring::name) continue;
+      const bool bricks = make_law<DiscreteSpring>(material.values).packing == 0;
       for (int e = 0; e < mesh_.element_count(); ++e) {
         const std::string& region = mesh_.region_names[mesh_.regions[e]];
         if (std::find(material.regions.begin(), material.regions.end(), region) == material.regions.end()) continue;
-        if (mesh_.shapes[e] == Shape::tet4)
-          kinds.insert("tet4");
-        else if (!material.bbar.value_or(true))
-          kinds.insert("fully integrated elements");
+        if ((mesh_.shapes[e] == Shape::hex8) == bricks) continue;
+        model_.notes.push_back("material '" + material.name + "': packing = \"" + (bricks ? "bricks" : "irregular") +
+                               "\" on " + shape_name(mesh_.shapes[e]) + " of region '" + region +
+                               "'; its young and poisson will be others");
+        break;
       }
-      for (const std::string& kind : kinds)
-        model_.notes.push_back("material '" + material.name + "': " + kind +
-                               " lock in plastic flow; collapse loads may come out tens of per cent too high" +
-                               (kind == "tet4" ? ", hex8 and wedge6 do not" : ", formulation = \"bbar\" does not"));
     }
   }
 

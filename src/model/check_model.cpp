@@ -39,6 +39,7 @@ class ModelCheck {
   void run() {
     materials();
     interfaces();
+    spring_regions();
     condition_references();
     collect([&] { InitialStressField{model_}; });
     stages();
@@ -132,6 +133,22 @@ class ModelCheck {
       const std::string who = title(i.crackable ? "crackable" : "joint", i.name);
       for (const auto& name : i.regions) region(name, i.where, who);
       collect([&] { interface_constants(i.law, i.values, i.where, who); });
+    }
+  }
+
+  /// Blocks of springs are blocks only where the region is cut.
+  void spring_regions() {
+    for (const auto& material : model_.materials) {
+      if (material.law != DiscreteSpring::name) continue;
+      for (const auto& name : material.regions) {
+        const auto cuts = [&](const Interface& i) {
+          return i.crackable && std::find(i.regions.begin(), i.regions.end(), name) != i.regions.end();
+        };
+        if (std::none_of(model_.interfaces.begin(), model_.interfaces.end(), cuts))
+          complaints_.add(material.where, title("material", material.name) + ": region '" + name +
+                                              "' is not cut into blocks; write crackable \"...\" { region = \"" + name +
+                                              "\", law = \"elastic\" }, or a law that breaks");
+      }
     }
   }
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "model/blocks.hpp"
 #include "model/check_mesh.hpp"
@@ -23,9 +25,10 @@ std::array<double, 4> corner_areas(const Mesh& mesh, const Facet& facet) {
   return areas;
 }
 
-/// Moduli of the elastic part of one region's material, Pa.
+/// Moduli of the elastic part of one region's material, Pa, and its springs if it is made of them.
 struct Moduli {
   double oedometric = 0, shear = 0;
+  std::optional<DiscreteSpring> springs{};
 };
 
 std::vector<Moduli> moduli_of_regions(const Model& model) {
@@ -36,6 +39,7 @@ std::vector<Moduli> moduli_of_regions(const Model& model) {
       if (r < 0) continue;
       const auto elastic = make_law<Elastic>(material.values);
       moduli[r] = {elastic.oedometric(), elastic.shear()};
+      if (material.law == DiscreteSpring::name) moduli[r].springs = make_law<DiscreteSpring>(material.values);
     }
   return moduli;
 }
@@ -142,11 +146,28 @@ ContactPoints place_contacts(const Model& model, const Blocks& blocks) {
     return blocks.corners[mesh.first_corner[element] + at];
   };
 
+  const auto to_centre = [&](const Facet& f) {
+    const Vec3<double> area = mesh.facet_area(f);
+    return std::abs(dot(mesh.facet_centroid(f) - mesh.centroid(f.element), area)) / norm(area);
+  };
   const auto stiffness_of = [&](const InterfaceFace& face, double half_heights) {
     const auto& a = moduli[mesh.regions[face.a.element]];
     const auto& b = moduli[mesh.regions[face.b.element]];
     const auto& given = constants[face.interface].stiffness;
-    const double per_modulus = given.stiffness_factor / half_heights, ratio = constants[face.interface].stiffness_ratio;
+    const double ratio = constants[face.interface].stiffness_ratio;
+    if (a.springs && b.springs && !(given.normal_stiffness > 0)) {
+      if (given.stiffness_factor != StiffnessKeys{}.stiffness_factor)
+        throw DeckError(model.interfaces[face.interface].where,
+                        what(model.interfaces[face.interface]) +
+                            ": 'stiffness_factor' is of springs beside elastic blocks; those of a discrete_spring "
+                            "material have their stiffness from it: leave it out, or give normal_stiffness");
+      const double from_a = to_centre(face.a), from_b = to_centre(face.b);
+      const double normal = 1 / (from_a * a.springs->normal_compliance() + from_b * b.springs->normal_compliance());
+      double shear = 1 / (from_a * a.springs->shear_compliance() + from_b * b.springs->shear_compliance());
+      if (given.shear_stiffness > 0) shear = given.shear_stiffness;
+      return SpringStiffness<double>{normal, ratio > 0 ? ratio * normal : shear};
+    }
+    const double per_modulus = given.stiffness_factor / half_heights;
     SpringStiffness<double> stiffness{
         given.normal_stiffness > 0 ? given.normal_stiffness : per_modulus * std::min(a.oedometric, b.oedometric),
         given.shear_stiffness > 0 ? given.shear_stiffness : per_modulus * std::min(a.shear, b.shear)};

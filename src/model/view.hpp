@@ -75,6 +75,7 @@ struct BodyView {
   const std::uint8_t* remembers = nullptr;  ///< [Gauss points that remember] at an element's first: whether any of its
                                             ///< numbers is not 0, else nobody reads them
   Real* corner_gradient = nullptr;      ///< [3 * slots] 1/m, mean over the element; null: no law asks for it
+  Real* averaged = nullptr;  ///< [Gauss points] dilatation or mean stress of averaged elements; null: there are none
 };
 
 }  // namespace ashlar

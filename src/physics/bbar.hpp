@@ -3,6 +3,7 @@
 
 /// Elements that do not lock where volume hardly changes (plastic flow, Poisson's ratio near 0.5): B-bar, the change of
 /// volume is that of the element's mean at every Gauss point (Hughes 1980), and so is the mean stress in its forces.
+/// A linear tetrahedron is its own mean; there the mean goes over its neighbours.
 namespace ashlar {
 
 template <class Base, class V>
@@ -72,6 +73,53 @@ template <class V>
 struct Hex8BBar : BBar<Hex8<V>, V> {};
 template <class V>
 struct Wedge6BBar : BBar<Wedge6<V>, V> {};
+
+/// The change of volume is the mean over the corners of what the elements around each corner have together (average nodal
+/// volume; Bonet & Burton 1998), and the mean stress in the forces is the same mean of that of the elements. This mean is
+/// its own transpose by volume and enlarges nothing: forces belong to an energy, never above that of Tet4, whose bound of
+/// stiffness then holds.
+template <class V>
+struct Tet4Averaged : Tet4<V> {
+  using S = Scalar<V>;
+
+  template <class Stress>
+  struct AtMeanDilatation {
+    Stress& stress;
+    ASHLAR_HD Sym3<V> operator()(int g, Sym3<V> strain) const {
+      const V correction = V(S(1.0 / 3)) * (stress.dilatation(g) - (strain.xx + strain.yy + strain.zz));
+      for (int i = 0; i < 3; ++i) strain[i] = strain[i] + correction;
+      return stress(g, strain);
+    }
+  };
+  template <class Stress>
+  struct Averaged {
+    Stress& stress;
+    ASHLAR_HD Sym3<V> operator()(int g, const Sym3<V>&) const { return stress.averaged_stress(g); }
+  };
+
+  /// Corner forces, N; see Hex8::force. Of `stress.averaged_stress(gauss)`, where it knows the means, else of the strain
+  /// with `stress.dilatation(gauss)`; one that knows no neighbours gets the element's own strain.
+  template <class Stress>
+  ASHLAR_HD static void force(const V (&x)[3][4], const V (&u)[3][4], V (&f)[3][4], Stress& stress) {
+    if constexpr (requires { stress.averaged_stress(0); }) {
+      Averaged<Stress> averaged{stress};
+      Tet4<V>::force(x, u, f, averaged);
+    } else if constexpr (requires { stress.dilatation(0); }) {
+      AtMeanDilatation<Stress> at{stress};
+      Tet4<V>::force(x, u, f, at);
+    } else {
+      Tet4<V>::force(x, u, f, stress);
+    }
+  }
+};
+/// Whether elements take means over their neighbourhood.
+template <template <class> class Element>
+inline constexpr bool is_averaged = false;
+template <>
+inline constexpr bool is_averaged<Tet4Averaged> = true;
+
+template <class V>
+struct GaussTable<Tet4Averaged<V>> : GaussTable<Tet4<V>> {};
 template <class V>
 struct GaussTable<Hex8BBar<V>> : GaussTable<Hex8<V>> {};
 template <class V>

@@ -152,8 +152,9 @@ std::vector<NounRule> body_nouns() {
             number("heat_capacity", dimension::heat_capacity, range::positive,
                    "heat per mass; needed by transient thermal stages"),
             key("formulation", Type::choice,
-                "full: every Gauss point has its own change of volume; bbar: that of the element's mean, for hex8 "
-                "and wedge6 (full locks in plastic flow and near poisson = 0.5); bbar for plastic laws unless given")
+                "full: every Gauss point has its own change of volume; bbar: that of the element's mean for hex8 and "
+                "wedge6, for tet4 that of the elements around its corners (full locks in plastic flow and near poisson "
+                "= 0.5); bbar for plastic laws unless given")
                 .of({"full", "bbar"})},
        .example =
            R"(material "concrete" { region = "dam", density = 2400*kg/m^3, young = 30*GPa, poisson = 0.2, expansion = 9e-6/K })",

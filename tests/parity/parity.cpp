@@ -15,7 +15,7 @@
 namespace ashlar {
 namespace {
 
-enum class Blocks { continuous, mixed, plastic, breaking, jointed, unmatched, softening, exploded, cracked };
+enum class Blocks { continuous, mixed, tetrahedra, plastic, breaking, jointed, unmatched, softening, exploded, cracked };
 
 Condition condition(const char* noun, const char* surface, Condition::Kind kind) {
   Condition c;
@@ -42,6 +42,40 @@ Mesh cut_into_wedges(const Mesh& hexahedra) {
       add(Shape::wedge6, e, {0, 1, 2, 4, 5, 6});
       add(Shape::wedge6, e, {0, 2, 3, 4, 6, 7});
     }
+  return m;
+}
+
+/// The same nodes, every hexahedron cut into tetrahedra from its smallest node.
+Mesh cut_into_tetrahedra(const Mesh& hexahedra) {
+  Mesh m = hexahedra;
+  m.shapes.clear(), m.regions.clear(), m.corners.clear(), m.source_ids.clear(), m.first_corner = {0};
+  std::vector<int> first{0};  // of each hexahedron
+  for (int e = 0; e < hexahedra.element_count(); ++e) {
+    const auto corners = hexahedra.element(e);
+    const int apex = *std::min_element(corners.begin(), corners.end());
+    for (int f = 0; f < 6; ++f) {
+      std::vector<int> quad;
+      for (int i = 0; i < 4; ++i) quad.push_back(corners[face_corners(Shape::hex8, f)[i]]);
+      const auto smallest = std::min_element(quad.begin(), quad.end());
+      if (*smallest == apex) continue;
+      std::rotate(quad.begin(), smallest, quad.end());
+      for (const int k : {1, 2})
+        m.add_element(Shape::tet4, std::vector{quad[0], quad[k + 1], quad[k], apex}, hexahedra.regions[e], 0);
+    }
+    first.push_back(m.element_count());
+  }
+  for (std::size_t s = 0; s < m.surfaces.size(); ++s) {
+    m.surfaces[s].facets.clear();
+    for (const Facet& facet : hexahedra.surfaces[s].facets) {
+      const std::vector<int> whole = hexahedra.facet_nodes(facet);
+      for (int e = first[facet.element]; e < first[facet.element + 1]; ++e)
+        for (int f = 0; f < 4; ++f) {
+          const std::vector<int> part = m.facet_nodes({e, f});
+          const auto on_it = [&](int n) { return std::find(whole.begin(), whole.end(), n) != whole.end(); };
+          if (std::all_of(part.begin(), part.end(), on_it)) m.surfaces[s].facets.push_back({e, f});
+        }
+    }
+  }
   return m;
 }
 
@@ -81,6 +115,7 @@ Model dam(const char* file, Blocks blocks) {
   Model m;
   m.mesh = read_mesh(std::string(ASHLAR_TEST_DATA) + "/" + file, {});
   if (blocks == Blocks::mixed) m.mesh = cut_into_wedges(m.mesh);
+  if (blocks == Blocks::tetrahedra) m.mesh = cut_into_tetrahedra(m.mesh);
   if (blocks == Blocks::unmatched)
     m.mesh = meshed_apart(m.mesh, read_mesh(std::string(ASHLAR_TEST_DATA) + "/dam_D0_r2_ny4.msh", {}));
   m.reference_temperature = 15;
@@ -94,7 +129,11 @@ Model dam(const char* file, Blocks blocks) {
                   condition("fix", "bottom", Fix{true, true, true, false}),
                   condition("fix", "xside", Fix{true, false, false, false}),
                   condition("fix", "yside", Fix{false, true, false, false})};
-  if (blocks == Blocks::plastic) {
+  if (blocks == Blocks::tetrahedra) {  // elastic and plastic, both with means over neighbours
+    m.materials[0].bbar = true;
+    m.materials[1].law = "mohr_coulomb";
+    m.materials[1].values.merge(std::map<std::string, double>{{"cohesion", 1e4}, {"friction", 0.5}, {"dilation", 0.1}});
+  } else if (blocks == Blocks::plastic) {
     for (Material& material : m.materials) material.law = "drucker_prager";
     m.materials[0].values.merge(std::map<std::string, double>{
         {"cohesion", 2e4}, {"friction", 0.4}, {"dilation", 0.2}, {"tension_cutoff", 1e4}, {"hardening", -1e6}});
@@ -431,6 +470,7 @@ std::string case_name(const testing::TestParamInfo<Parity::ParamType>& info) {
   std::string name = precision == Precision::double_precision ? "double" : "single";
   name += blocks == Blocks::continuous  ? "_continuous"
           : blocks == Blocks::mixed     ? "_mixed"
+          : blocks == Blocks::tetrahedra ? "_tetrahedra"
           : blocks == Blocks::plastic   ? "_plastic"
           : blocks == Blocks::breaking  ? "_breaking"
           : blocks == Blocks::jointed   ? "_jointed"
@@ -450,8 +490,9 @@ INSTANTIATE_TEST_SUITE_P(DamD0, Parity,
 
 INSTANTIATE_TEST_SUITE_P(OtherD0, Parity,
                          testing::Combine(testing::Values(Precision::double_precision, Precision::single_precision),
-                                          testing::Values(Blocks::mixed, Blocks::plastic, Blocks::breaking,
-                                                          Blocks::jointed, Blocks::unmatched, Blocks::softening),
+                                          testing::Values(Blocks::mixed, Blocks::tetrahedra, Blocks::plastic,
+                                                          Blocks::breaking, Blocks::jointed, Blocks::unmatched,
+                                                          Blocks::softening),
                                           testing::Values("dam_D0_r1_ny2.msh")),
                          case_name);
 

@@ -140,6 +140,14 @@ class Program(unittest.TestCase):
         for test, strength in (("uniaxial compression", -4.610357e6), ("uniaxial tension", 1.650418e6),
                                ("triaxial compression at 5 MPa", -23.061219e6), ("simple shear", 1.403362e6)):
             self.assertAlmostEqual(curves[test][-1][1] / strength, 1, delta=1e-3, msg=test)
+        axial, side = curves["oedometer"][1][1], curves["oedometer"][1][2]
+        self.assertAlmostEqual(side / axial, 0.25, delta=1e-6)  # poisson / (1 - poisson) before it flows
+        cycle = [row[1] for row in curves["cycle"]]
+        self.assertAlmostEqual(min(cycle) / -4.610357e6, 1, delta=1e-3)
+        self.assertAlmostEqual(max(cycle) / 1.650418e6, 1, delta=1e-3)
+        drawn = self.ashlar("plot", "rock.csv")
+        self.assertEqual((drawn.returncode, drawn.stdout), (0, "rock.png\n"), drawn.stderr)
+        self.assertGreater((self.folder / "rock.png").stat().st_size, 20000)
         refused = self.ashlar("material", "rock.lua", "rocks")
         self.assertEqual(refused.returncode, 2)
         self.assertIn("did you mean 'rock'", refused.stderr)

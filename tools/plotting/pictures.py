@@ -1,5 +1,7 @@
-"""The pictures: fields on surfaces and sections, cracks, histories, profiles."""
+"""The pictures: fields on surfaces and sections, cracks, histories, profiles, curves of a material."""
+import csv
 import dataclasses
+import pathlib
 
 import numpy as np
 from matplotlib import colormaps
@@ -242,6 +244,36 @@ def history_picture(run, name, path):
                               textcoords="offset points", fontsize=8, color="0.3")
     panels[-1, 0].set_xlabel("stages done, with the fraction of the present one")
     figure.suptitle(f"{run.name}: history {name}", fontsize=12, fontweight="bold", x=0.01, ha="left")
+    drawing.save(figure, path)
+
+
+def material_picture(table, path):
+    """Curves that `ashlar material --to` wrote: stress over strain, and what the law counts, one panel a test."""
+    try:
+        with open(table, encoding="utf-8", newline="") as file:
+            header, *rows = csv.reader(file)
+        tests = dict.fromkeys(row[0] for row in rows)
+        values = {test: np.array([row[1:] for row in rows if row[0] == test], float) for test in tests}
+        counted = header[5]
+    except (OSError, ValueError, IndexError) as error:
+        raise PictureError(f"{table} is no table of `ashlar material DECK NAME --to FILE.csv`: {error}") from None
+    figure, panels = drawing.plt.subplots(2, (len(tests) + 1) // 2, figsize=(3.6 * ((len(tests) + 1) // 2), 6.5),
+                                          squeeze=False, layout="constrained")
+    for axes, (test, v) in zip(panels.flat, values.items()):
+        axes.plot(100 * v[:, 0], v[:, 1] / 1e6, linewidth=1.5, label="stress")
+        axes.plot(100 * v[:, 0], v[:, 2] / 1e6, "--", linewidth=1, label="lateral stress")
+        axes.set_title(test, fontsize=9, loc="left")
+        axes.set_xlabel("strain [%]")
+        axes.set_ylabel("stress [MPa]")
+        axes.grid(alpha=0.3)
+        other = axes.twinx()
+        other.plot(100 * v[:, 0], v[:, 4], ":", color="0.4", linewidth=1.2)
+        other.set_ylabel(counted.replace("_", " ") + " (dotted)", fontsize=8, color="0.4")
+    for axes in panels.flat[len(tests):]:
+        axes.set_visible(False)
+    panels.flat[0].legend(fontsize=8, frameon=False)
+    figure.suptitle(f"{pathlib.Path(table).stem}: one point, tension positive", fontsize=12, fontweight="bold", x=0.01,
+                    ha="left")
     drawing.save(figure, path)
 
 

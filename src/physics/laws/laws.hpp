@@ -7,6 +7,7 @@
 
 #include "physics/laws/breakage.hpp"
 #include "physics/laws/damage.hpp"
+#include "physics/laws/discrete_spring.hpp"
 #include "physics/laws/drucker_prager.hpp"
 #include "physics/laws/elastic.hpp"
 #include "physics/laws/jointed.hpp"
@@ -16,7 +17,7 @@
 /// The register of block laws. Adding one: its header, its name in this list, its test.
 namespace ashlar {
 
-using BlockLaws = std::tuple<Elastic, Breakage, Damage, DruckerPrager, Jointed, MohrCoulomb, VonMises>;
+using BlockLaws = std::tuple<Elastic, Breakage, Damage, DiscreteSpring, DruckerPrager, Jointed, MohrCoulomb, VonMises>;
 
 template <class>
 struct VariantOf;
