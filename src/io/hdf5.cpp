@@ -230,7 +230,7 @@ hsize_t File::append(const std::string& name, hid_t type, const void* values, hs
   std::vector<std::vector<unsigned char>> packed(std::min(at_once, end - first));
   for (hsize_t begin = first; begin < end; begin += at_once) {
     const int count = static_cast<int>(std::min(at_once, end - begin));
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (count > 1)
     for (int i = 0; i < count; ++i)
       packed[i] = packed_chunk(bytes + ((begin + i) * chunk[0] - before) * row_bytes, chunk_bytes, number_bytes);
     std::vector<hsize_t> corner(shape.size(), 0);
