@@ -31,8 +31,9 @@ void describe_stage(Page& page, int number, const StageResult& stage) {
                             e.kinetic, e.strain, e.dissipated, e.external_work,
                             e.kinetic + e.strain + e.dissipated - e.external_work, e.drift));
     if (e.drift > 0.01)
-      page.line("stage", "    not well: faces that chatter want a smaller 'time_factor' or damping; the work of crack_water "
-                         "is not counted");
+      page.line("stage",
+                "    not well: faces that chatter want a smaller 'time_factor' or damping; the work of crack_water "
+                "is not counted");
     if (stage.initial) describe_initial(page, *stage.initial);
     return;
   }
