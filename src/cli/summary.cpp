@@ -30,6 +30,10 @@ void describe_stage(Page& page, int number, const StageResult& stage) {
     page.line("stage", text("  energy: kinetic %.4g + strain %.4g + dissipated %.4g - work %.4g = %.4g J, kept to %.1e",
                             e.kinetic, e.strain, e.dissipated, e.external_work,
                             e.kinetic + e.strain + e.dissipated - e.external_work, e.drift));
+    if (e.drift > 0.01)
+      page.line("stage",
+                "    not well: faces that chatter want a smaller 'time_factor' or damping; the work of crack_water "
+                "is not counted");
     if (stage.initial) describe_initial(page, *stage.initial);
     return;
   }

@@ -70,6 +70,15 @@ ExpectOutcome outcome(const std::string& name, bool passed, const std::string& m
   return made;
 }
 
+TEST(Summary, AMotionThatDoesNotKeepItsEnergySaysSo) {
+  RunResult result = one_stage(true);
+  result.stages[0].kind = "dynamic";
+  result.stages[0].energy.drift = 1e-3;
+  EXPECT_EQ(summary(cube(), result, {}).find("time_factor"), std::string::npos);
+  result.stages[0].energy.drift = 0.2;
+  EXPECT_NE(summary(cube(), result, {}).find("time_factor"), std::string::npos);
+}
+
 TEST(ExitCode, InterruptionBeatsConvergenceBeatsExpects) {
   const std::vector<ExpectOutcome> failed{outcome("a", false, "")}, passed{outcome("a", true, "")};
   EXPECT_EQ(exit_code(one_stage(true), passed), 0);
