@@ -182,7 +182,7 @@ struct Setup {
   const Discretisation& discretisation;
   const ContactPoints& contacts;                  ///< block nodes numbered as in Blocks
   std::vector<BlockLaw> laws{};                     ///< [materials]
-  std::vector<char> bbar{};                         ///< [materials] whether elements that can are B-bar
+  std::vector<char> bbar{};                         ///< [materials] 0: full, 1: B-bar hex8 and wedge6, 2: tet4 averaged too
   std::vector<SpringLaw<double>> interface_laws{};  ///< [interfaces]
   std::vector<double> conductivity{};             ///< [materials] W/(m K); empty: no thermal stages
   double reference_temperature = 0;               ///< degC

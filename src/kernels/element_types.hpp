@@ -12,15 +12,15 @@ struct ElementTag {
   using Element = E<V>;
 };
 
-/// Calls work(element tag): the one place where shape and formulation become types.
+/// Calls work(element tag): the one place where shape and formulation become types; `bbar` as in Setup.
 template <class Work>
-auto with_element(Shape shape, bool bbar, const Work& work) {
+auto with_element(Shape shape, int bbar, const Work& work) {
   switch (shape) {
     case Shape::hex8: return bbar ? work(ElementTag<Hex8BBar>{}) : work(ElementTag<Hex8>{});
     case Shape::wedge6: return bbar ? work(ElementTag<Wedge6BBar>{}) : work(ElementTag<Wedge6>{});
     case Shape::tet4: break;
   }
-  return bbar ? work(ElementTag<Tet4Averaged>{}) : work(ElementTag<Tet4>{});
+  return bbar == 2 ? work(ElementTag<Tet4Averaged>{}) : work(ElementTag<Tet4>{});
 }
 /// The same of elements in large displacement.
 template <class Work>

@@ -45,11 +45,22 @@ class Assembly {
  private:
   /// Plastic flow keeps its volume, nearly; elements that cannot do so without stiffening give collapse loads too high.
   void note_locking() {
-    for (const Material& material : model_.materials)
-      if (is_plastic(material.law) && !material.bbar.value_or(true))
-        model_.notes.push_back("material '" + material.name +
-                               "': formulation = \"full\" locks in plastic flow; collapse loads may come out tens of per "
-                               "cent too high, \"bbar\" does not lock");
+    for (const Material& material : model_.materials) {
+      if (!is_plastic(material.law) || material.bbar.value_or(false)) continue;
+      std::set<std::string> kinds;
+      for (int e = 0; e < mesh_.element_count(); ++e) {
+        const std::string& region = mesh_.region_names[mesh_.regions[e]];
+        if (std::find(material.regions.begin(), material.regions.end(), region) == material.regions.end()) continue;
+        if (mesh_.shapes[e] == Shape::tet4)
+          kinds.insert("tet4");
+        else if (material.bbar)
+          kinds.insert("fully integrated elements");
+      }
+      for (const std::string& kind : kinds)
+        model_.notes.push_back("material '" + material.name + "': " + kind +
+                               " lock in plastic flow; collapse loads may come out tens of per cent too high, "
+                               "formulation = \"bbar\" does not");
+    }
   }
 
   /// Springs get their stiffness by how blocks lie.

@@ -130,7 +130,7 @@ Model dam(const char* file, Blocks blocks) {
                   condition("fix", "xside", Fix{true, false, false, false}),
                   condition("fix", "yside", Fix{false, true, false, false})};
   if (blocks == Blocks::tetrahedra) {  // elastic and plastic, both with means over neighbours
-    m.materials[0].bbar = true;
+    for (Material& material : m.materials) material.bbar = true;
     m.materials[1].law = "mohr_coulomb";
     m.materials[1].values.merge(std::map<std::string, double>{{"cohesion", 1e4}, {"friction", 0.5}, {"dilation", 0.1}});
   } else if (blocks == Blocks::plastic) {
