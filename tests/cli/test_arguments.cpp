@@ -36,7 +36,7 @@ TEST(Arguments, AMisspeltVerbOrOptionGetsTheNearestOne) {
   EXPECT_EQ(complaint({"chek", "dam.lua"}), "unknown command 'chek': did you mean 'check'?");
   EXPECT_EQ(complaint({"run", "dam.lua", "--thread", "2"}),
             "'run' has no option '--thread': did you mean '--threads'?");
-  EXPECT_EQ(complaint({"check", "dam.lua", "--force"}), "'check' has no option '--force'; valid: --set");
+  EXPECT_EQ(complaint({"check", "dam.lua", "--memory", "2"}), "'check' has no option '--memory'; valid: --set, --to, --force");
 }
 
 TEST(Arguments, WrongValuesSayWhatIsExpected) {
