@@ -25,7 +25,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Deck, arguments, precision.
 RUNS = [("verify/d0_elastic", [], "double"), ("verify/d0_staged", [], "double"), ("verify/d0_exploded", [], "double"),
         ("verify/d0_heat", ["transient=true", "fine=true"], "double"), ("verify/pulled_blocks", [], "double"),
-        ("verify/sliding_block", [], "double"), ("verify/thick_cylinder_plastic", [], "double"),
+        ("verify/sliding_block", [], "double"), ("verify/tumbling_block", [], "double"), ("verify/crack_heat", [], "double"),
+        ("verify/thick_cylinder_plastic", [], "double"),
         ("verify/shaken_bar", [], "double"), ("verify/yearly_ground", [], "double"), ("dam/koyna", [], "double"), ("dam/seasons", [], "double"),
         ("verify/d0_staged", [], "single"), ("verify/d0_heat", ["transient=true", "fine=true"], "single"),
         ("verify/shaken_bar", [], "single"), ("dam/seasons", [], "single")]
