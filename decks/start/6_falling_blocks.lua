@@ -2,10 +2,10 @@
 -- ashlar run 6_falling_blocks.lua
 model "falling_blocks" {}
 box "ground" { from = { -1, -1, -0.1 }, to = { 1, 1, 0 }, cells = { 2, 2, 1 } }
-local c, s = math.cos(30*deg), math.sin(30*deg)
+local cosine, sine = math.cos(30*deg), math.sin(30*deg)
 box "blocks" {  -- turned about y
   from = { -0.2, -0.2, -0.2 }, to = { 0.2, 0.2, 0.2 }, cells = { 2, 2, 2 },
-  x = function(x, y, z) return c * x + s * z end, z = function(x, y, z) return 0.4 - s * x + c * z end,
+  x = function(x, y, z) return cosine * x + sine * z end, z = function(x, y, z) return 0.4 - sine * x + cosine * z end,
 }
 material "rock" { region = { "ground", "blocks" }, density = 2500*kg/m^3, young = 5*GPa, poisson = 0.2 }
 -- Every element is a block. Blocks touch each other and the ground wherever they meet; the stiffness of their contacts

@@ -9,7 +9,7 @@
 local args = deck.args {
   blocks   = { default = "bricks", doc = "bricks (hex8) or irregular (tet4)" },
   size     = { default = 0.125, doc = "edge of the blocks, m" },
-  poisson  = { default = 0.2, doc = "below 0.25 for irregular blocks" },
+  poisson  = { default = 0.2, doc = "at most 0.15 for irregular blocks" },
   rigidity = { default = 10, doc = "of blocks, over the body" },
 }
 local young, poisson, bricks, move = 30e9, args.poisson, args.blocks == "bricks", 1e-4

@@ -16,6 +16,7 @@
 #include "io/mesh_writer.hpp"
 #include "io/text_file.hpp"
 #include "script/deck.hpp"
+#include "script/schema.hpp"
 
 namespace ashlar {
 
@@ -70,9 +71,13 @@ int info_command(const Arguments& arguments) {
 }
 
 int help_command(const Arguments& arguments) {
-  const std::string usage =
-      arguments.operands.empty() ? usage_page() + "\n" + help_index() : usage_of(arguments.operands[0]);
-  std::fputs((usage.empty() ? help(arguments.operands[0]) : usage).c_str(), stdout);
+  std::string page = usage_page() + "\n" + help_index();
+  if (!arguments.operands.empty()) {
+    const std::string& about = arguments.operands[0];  // may be a command and a noun
+    page = usage_of(about);
+    if (page.empty() || find_noun(about)) page = help(about) + (page.empty() ? "" : "\nThe command\n\n" + page);
+  }
+  std::fputs(page.c_str(), stdout);
   return 0;
 }
 

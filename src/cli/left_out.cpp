@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/contact/moving.hpp"
+
 namespace ashlar {
 namespace {
 
@@ -28,6 +30,17 @@ bool water_rests_on_ground(const Model& model) {
   return false;
 }
 
+/// "a and b, a and c": pairs of regions that nothing keeps apart when they move far.
+std::string passing_pairs(const Model& model) {
+  const std::vector<int> interface = interface_of_regions(model);
+  const std::vector<std::string>& names = model.mesh.region_names;
+  std::string pairs;
+  for (std::size_t a = 0; a < names.size(); ++a)
+    for (std::size_t b = a + 1; b < names.size(); ++b)
+      if (interface[a * names.size() + b] < 0) pairs += (pairs.empty() ? "" : ", ") + names[a] + " and " + names[b];
+  return pairs;
+}
+
 }  // namespace
 
 std::vector<std::string> left_out(const Model& model) {
@@ -47,6 +60,11 @@ std::vector<std::string> left_out(const Model& model) {
   const bool passes = std::any_of(model.interfaces.begin(), model.interfaces.end(),
                                   [](const Interface& i) { return !i.resists_heat() && i.law != "elastic"; });
   if (thermal && passes) list.push_back("heat across cracks: open cracks conduct as sound concrete");
+  if (has_large_displacement(model)) {
+    list.push_back("edges across edges: where blocks move far, nodes touch faces only");
+    if (const std::string pairs = passing_pairs(model); !pairs.empty())
+      list.push_back("contact of " + pairs + ": no joint or crackable names them together, they pass through each other");
+  }
   return list;
 }
 

@@ -75,6 +75,8 @@ int run_deck(const Arguments& arguments, const RunRecord* record) {
   Problem problem(deck.model, {arguments.precision, arguments.threads, arguments.device, arguments.heat_device,
                                static_cast<std::size_t>(1e9 * arguments.memory)});
   plan_stages(problem);  // refuses what a later stage could not start with
+  for (const std::string& note : deck.model.notes) std::printf("note: %s\n", note.c_str());
+  std::fflush(stdout);
 
   const RunDescription description = describe(deck, arguments, problem.backend->name());
   if (record) check_same_run(*record, description);

@@ -251,6 +251,13 @@ class ModelCheck {
         complaints_.add(i.where, other + ": 'initial_opening' does not go with large_displacement in stage '" +
                                      stage.name + "'; leave a gap between the bodies");
     }
+    if (const auto inside = node_inside(model_.mesh)) {
+      const Vec3<double>& p = model_.mesh.points[inside->node];
+      complaints_.add(stage.where, who + "needs bodies beside each other: a corner at (" + number_text(p.x) + ", " +
+                                       number_text(p.y) + ", " + number_text(p.z) + ") m is inside region '" +
+                                       model_.mesh.region_names[model_.mesh.regions[inside->element]] +
+                                       "', and nothing would push it out");
+    }
     if (!model_.initial_stresses.empty())
       complaints_.add(stage.where, who + "does not go with initial_stress; bring loads on in time instead");
     for (const ActingCondition& a : acting_conditions(model_, index)) {

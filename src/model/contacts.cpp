@@ -155,16 +155,19 @@ ContactPoints place_contacts(const Model& model, const Blocks& blocks) {
     const auto& b = moduli[mesh.regions[face.b.element]];
     const auto& given = constants[face.interface].stiffness;
     const double ratio = constants[face.interface].stiffness_ratio;
-    if (a.springs && b.springs && !(given.normal_stiffness > 0)) {
-      if (given.stiffness_factor != StiffnessKeys{}.stiffness_factor)
-        throw DeckError(model.interfaces[face.interface].where,
-                        what(model.interfaces[face.interface]) +
-                            ": 'stiffness_factor' is of springs beside elastic blocks; those of a discrete_spring "
-                            "material have their stiffness from it: leave it out, or give normal_stiffness");
+    if (a.springs && b.springs) {
+      const StiffnessKeys usual;
+      for (const auto& [key, changed] : {std::pair{"stiffness_factor", given.stiffness_factor != usual.stiffness_factor},
+                                         std::pair{"normal_stiffness", given.normal_stiffness > 0},
+                                         std::pair{"shear_stiffness", given.shear_stiffness > 0}})
+        if (changed)
+          throw DeckError(model.interfaces[face.interface].where,
+                          what(model.interfaces[face.interface]) + ": '" + key +
+                              "' is of springs beside elastic blocks; those of a discrete_spring material have their "
+                              "stiffness from its young and poisson: leave it out");
       const double from_a = to_centre(face.a), from_b = to_centre(face.b);
       const double normal = 1 / (from_a * a.springs->normal_compliance() + from_b * b.springs->normal_compliance());
-      double shear = 1 / (from_a * a.springs->shear_compliance() + from_b * b.springs->shear_compliance());
-      if (given.shear_stiffness > 0) shear = given.shear_stiffness;
+      const double shear = 1 / (from_a * a.springs->shear_compliance() + from_b * b.springs->shear_compliance());
       return SpringStiffness<double>{normal, ratio > 0 ? ratio * normal : shear};
     }
     const double per_modulus = given.stiffness_factor / half_heights;

@@ -6,6 +6,7 @@
 
 #include "model/model.hpp"
 #include "model/place_text.hpp"
+#include "physics/laws/laws.hpp"
 
 namespace ashlar {
 namespace {
@@ -31,6 +32,8 @@ class Doubts {
         transient(stage, thermal->duration);
       else if (const auto* coupled = std::get_if<CoupledSolve>(&stage.solve))
         transient(stage, coupled->duration);
+      else if (std::holds_alternative<FractureSolve>(stage.solve))
+        fracture(stage);
     temperature(model_.where, "model", "reference_temperature", model_.reference_temperature);
     for (const Condition& condition : model_.conditions) {
       const std::string who = condition.noun + (condition.name.empty() ? "" : " '" + condition.name + "'");
@@ -86,6 +89,17 @@ class Doubts {
     if (duration >= short_time || extent() < large) return;
     add(stage.where, "stage '" + stage.name + "': 'duration' is " + number_text(duration) +
                          " s, too short for heat to go deep; bare numbers are s, as in 100*days");
+  }
+
+  /// Something should be able to crack.
+  void fracture(const Stage& stage) {
+    const bool joints = std::any_of(model_.interfaces.begin(), model_.interfaces.end(),
+                                    [](const Interface& i) { return i.law != "elastic" && i.law != "frictional"; });
+    const bool blocks = std::any_of(model_.materials.begin(), model_.materials.end(),
+                                    [](const Material& m) { return measure(m.law) != Measure::none; });
+    if (!joints && !blocks)
+      add(stage.where, "stage '" + stage.name + "': nothing can crack: no joint or crackable has a strength, and no "
+                           "material breaks or flows");
   }
 
   void given(const Where& where, const std::string& who, const char* key, const Value& value) {

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ashlar {
 
@@ -92,6 +93,31 @@ int nearest_node(const Mesh& mesh, const Vec3<double>& point) {
   for (int n = 1; n < mesh.node_count(); ++n)
     if (norm(mesh.points[n] - point) < norm(mesh.points[best] - point)) best = n;
   return best;
+}
+
+std::optional<NodeInside> node_inside(const Mesh& mesh) {
+  constexpr double depth = 1e-3;  // of shape functions
+  std::vector<int> by_x(mesh.points.size());
+  std::iota(by_x.begin(), by_x.end(), 0);
+  std::sort(by_x.begin(), by_x.end(), [&](int a, int b) { return mesh.points[a].x < mesh.points[b].x; });
+  for (int e = 0; e < mesh.element_count(); ++e) {
+    const auto corners = mesh.element(e);
+    Vec3<double> low = mesh.points[corners[0]], high = low;
+    for (const int n : corners)
+      for (int i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], mesh.points[n][i]);
+        high[i] = std::max(high[i], mesh.points[n][i]);
+      }
+    auto at = std::upper_bound(by_x.begin(), by_x.end(), low.x, [&](double x, int n) { return x < mesh.points[n].x; });
+    for (; at != by_x.end() && mesh.points[*at].x < high.x; ++at) {
+      const Vec3<double>& p = mesh.points[*at];
+      if (p.y <= low.y || p.y >= high.y || p.z <= low.z || p.z >= high.z) continue;
+      if (std::find(corners.begin(), corners.end(), *at) != corners.end()) continue;
+      const auto weights = weights_at(mesh, e, p);
+      if (weights && *std::min_element(weights->begin(), weights->end()) > depth) return NodeInside{*at, e};
+    }
+  }
+  return {};
 }
 
 }  // namespace ashlar

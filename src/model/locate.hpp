@@ -17,6 +17,12 @@ struct Location {
 /// mesh.
 std::optional<Location> locate(const Mesh& mesh, const Vec3<double>& point);
 
+struct NodeInside {
+  int node, element;
+};
+/// A node that lies well inside an element that is not its own, if there is one: bodies drawn into each other.
+std::optional<NodeInside> node_inside(const Mesh& mesh);
+
 /// Mesh node nearest to a point.
 int nearest_node(const Mesh& mesh, const Vec3<double>& point);
 

@@ -58,7 +58,9 @@ std::vector<NounRule> stage_nouns() {
        .doc = "The temperature change between the ends of two thermal stages, put on the state reached in increments, "
               "with cracks.",
        .keys =
-           Keys{key("from", Type::text, "thermal stage whose end is the start; the reference temperature unless given"),
+           Keys{key("from", Type::text,
+                    "thermal stage whose end is the start; unless given, the temperature of the state reached: that of "
+                    "the last stage that balanced stress, the reference temperature before the first"),
                 key("to", Type::text, "thermal stage whose end is the goal").need(),
                 key("increments", Type::integer, "steps of the load factor from 0 to 1").otherwise(10),
                 key("max_events", Type::integer, "gives up after so many crack events").otherwise(100000)} +

@@ -409,9 +409,7 @@ class Run {
     increments_ = how.increments;
     const std::vector<double> base = body_temperature_;
     const std::vector<double> to = temperatures_at_end_.at(how.to);
-    const std::vector<double> from = how.from.empty()
-                                         ? std::vector<double>(to.size(), problem_.model.reference_temperature)
-                                         : temperatures_at_end_.at(how.from);
+    const std::vector<double> from = how.from.empty() ? base : temperatures_at_end_.at(how.from);
     const auto set_load_factor = [&](double factor) {
       std::vector<double> seen = base;
       for (std::size_t n = 0; n < seen.size(); ++n) {

@@ -23,7 +23,26 @@ Vec3<double> triangle_area(const std::vector<int>& corner, int t, const std::vec
   return 0.5 * cross(places[corner[3 * t + 1]] - a, places[corner[3 * t + 2]] - a);
 }
 
-/// [regions * regions] index into Model::interfaces; -1: none.
+/// Faces that no other element of the same block shares.
+std::vector<Facet> block_faces(const Model& model, const Blocks& blocks) {
+  const Mesh& mesh = model.mesh;
+  std::map<std::vector<int>, std::vector<Facet>> by_nodes;
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (int f = 0; f < face_count(mesh.shapes[e]); ++f) {
+      std::vector<int> nodes;
+      for (const int k : face_corners(mesh.shapes[e], f)) nodes.push_back(blocks.corners[mesh.first_corner[e] + k]);
+      std::sort(nodes.begin(), nodes.end());
+      by_nodes[nodes].push_back({e, f});
+    }
+  std::vector<Facet> faces;
+  for (const auto& [nodes, owners] : by_nodes)
+    if (owners.size() == 1) faces.push_back(owners[0]);
+  std::sort(faces.begin(), faces.end(), before);
+  return faces;
+}
+
+}  // namespace
+
 std::vector<int> interface_of_regions(const Model& model) {
   const int regions = static_cast<int>(model.mesh.region_names.size());
   std::vector<int> of(regions * regions, -1);
@@ -51,26 +70,6 @@ std::vector<int> interface_of_regions(const Model& model) {
   }
   return of;
 }
-
-/// Faces that no other element of the same block shares.
-std::vector<Facet> block_faces(const Model& model, const Blocks& blocks) {
-  const Mesh& mesh = model.mesh;
-  std::map<std::vector<int>, std::vector<Facet>> by_nodes;
-  for (int e = 0; e < mesh.element_count(); ++e)
-    for (int f = 0; f < face_count(mesh.shapes[e]); ++f) {
-      std::vector<int> nodes;
-      for (const int k : face_corners(mesh.shapes[e], f)) nodes.push_back(blocks.corners[mesh.first_corner[e] + k]);
-      std::sort(nodes.begin(), nodes.end());
-      by_nodes[nodes].push_back({e, f});
-    }
-  std::vector<Facet> faces;
-  for (const auto& [nodes, owners] : by_nodes)
-    if (owners.size() == 1) faces.push_back(owners[0]);
-  std::sort(faces.begin(), faces.end(), before);
-  return faces;
-}
-
-}  // namespace
 
 ContactSurface contact_surface(const Model& model, const Blocks& blocks, const Discretisation& discretisation) {
   const Mesh& mesh = model.mesh;

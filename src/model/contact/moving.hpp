@@ -32,6 +32,10 @@ struct ContactSurface {
   bool empty() const { return probe_node.empty(); }
 };
 
+/// Which interface bodies of two regions touch by: [regions * regions] index into Model::interfaces; -1: none, they pass
+/// through each other.
+std::vector<int> interface_of_regions(const Model& model);
+
 /// Blocks of one region touch as their crackable says, or else the first joint that names it; blocks of two regions as
 /// the joint or crackable between them. `model` has only frictional interfaces whose stiffness is given.
 ContactSurface contact_surface(const Model& model, const Blocks& blocks, const Discretisation& discretisation);

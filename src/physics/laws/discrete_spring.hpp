@@ -44,9 +44,9 @@ struct DiscreteSpring : Elastic {
     return {Real(0), Real(block_modulus() / 2), Real(expansion)};
   }
   std::vector<LawComplaint> complaints() const {
-    if (packing == 1 && poisson >= 0.25)
-      return {{"poisson", "springs of an irregular packing reach poisson below 0.25 only; give a smaller one, or "
-                          "packing = \"bricks\""}};
+    if (packing == 1 && poisson > 0.15)
+      return {{"poisson", "blocks of an irregular packing do not strain alike beyond 0.15, and would be much softer than "
+                          "asked; give at most 0.15, or packing = \"bricks\""}};
     if (shear_modulus() >= block_modulus())
       return {{"rigidity", "blocks would be softer than their springs; give a larger rigidity, or poisson above -0.5"}};
     return {};
