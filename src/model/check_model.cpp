@@ -5,6 +5,7 @@
 
 #include "base/nearest_name.hpp"
 #include "model/conditions.hpp"
+#include "model/contact/moving.hpp"
 #include "model/element_measures.hpp"
 #include "model/in_time.hpp"
 #include "model/initial_stress.hpp"
@@ -251,7 +252,7 @@ class ModelCheck {
         complaints_.add(i.where, other + ": 'initial_opening' does not go with large_displacement in stage '" +
                                      stage.name + "'; leave a gap between the bodies");
     }
-    if (const auto inside = node_inside(model_.mesh)) {
+    if (const auto inside = node_inside(model_.mesh, interface_of_regions(model_))) {
       const Vec3<double>& p = model_.mesh.points[inside->node];
       complaints_.add(stage.where, who + "needs bodies beside each other: a corner at (" + number_text(p.x) + ", " +
                                        number_text(p.y) + ", " + number_text(p.z) + ") m is inside region '" +

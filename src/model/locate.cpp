@@ -95,8 +95,11 @@ int nearest_node(const Mesh& mesh, const Vec3<double>& point) {
   return best;
 }
 
-std::optional<NodeInside> node_inside(const Mesh& mesh) {
+std::optional<NodeInside> node_inside(const Mesh& mesh, const std::vector<int>& touching) {
   constexpr double depth = 1e-3;  // of shape functions
+  std::vector<int> region(mesh.points.size());
+  for (int e = 0; e < mesh.element_count(); ++e)
+    for (const int n : mesh.element(e)) region[n] = mesh.regions[e];
   std::vector<int> by_x(mesh.points.size());
   std::iota(by_x.begin(), by_x.end(), 0);
   std::sort(by_x.begin(), by_x.end(), [&](int a, int b) { return mesh.points[a].x < mesh.points[b].x; });
@@ -112,6 +115,7 @@ std::optional<NodeInside> node_inside(const Mesh& mesh) {
     for (; at != by_x.end() && mesh.points[*at].x < high.x; ++at) {
       const Vec3<double>& p = mesh.points[*at];
       if (p.y <= low.y || p.y >= high.y || p.z <= low.z || p.z >= high.z) continue;
+      if (touching[region[*at] * mesh.region_names.size() + mesh.regions[e]] < 0) continue;
       if (std::find(corners.begin(), corners.end(), *at) != corners.end()) continue;
       const auto weights = weights_at(mesh, e, p);
       if (weights && *std::min_element(weights->begin(), weights->end()) > depth) return NodeInside{*at, e};

@@ -21,7 +21,8 @@ struct NodeInside {
   int node, element;
 };
 /// A node that lies well inside an element that is not its own, if there is one: bodies drawn into each other.
-std::optional<NodeInside> node_inside(const Mesh& mesh);
+/// @param touching [regions * regions] below 0: never mind nodes of the one region in the other
+std::optional<NodeInside> node_inside(const Mesh& mesh, const std::vector<int>& touching);
 
 /// Mesh node nearest to a point.
 int nearest_node(const Mesh& mesh, const Vec3<double>& point);

@@ -55,6 +55,7 @@ std::vector<int> interface_of_regions(const Model& model) {
     const Interface& declared = model.interfaces[i];
     std::vector<int> named;
     for (const std::string& name : declared.regions) named.push_back(model.mesh.find_region(name));
+    if (std::count(named.begin(), named.end(), -1) > 0) continue;  // refused elsewhere
     if (!declared.crackable) claim(named[0], named[1], i);
     for (const int r : named)
       if (declared.crackable) crackable[r] = i;
