@@ -24,6 +24,7 @@ stage "fall" {
 }
 
 output "fields" { every = 5, record = { "displacement" } }  -- to see them fall, warp by displacement
+picture "fallen" { of = "displacement", stage = "fall", deform = 1 }
 history "all" { record = { "energy" } }
 expect "energy is accounted for" { that = function(result)
   local drift = result.stage("fall").energy_drift
