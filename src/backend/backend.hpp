@@ -223,7 +223,7 @@ class Backend {
   virtual double first_crossing() = 0;
   /// Cracks all contact points that use at least `share` of what the worst one uses, which is `most`.
   virtual CrackMeasure break_springs(double most, double share) = 0;
-  /// Those that have changed since this was last asked for.
+  /// Those that have changed since this was last asked for, which one does for all: VirtualMass.
   virtual ChangedContacts take_changed_contacts() = 0;
   /// Slip and damage of an equilibrium become those to go on from.
   virtual CrackMeasure keep_springs() = 0;
@@ -259,7 +259,7 @@ class Backend {
   virtual void use_warming(bool on) = 0;
   /// From now on blocks turn and move far: motions take elements in large displacement and contacts of
   /// Setup::surface instead of springs.
-  virtual void use_large_displacement(bool on) = 0;
+  virtual void use_large_displacement() = 0;
   /// What a search has found at `displacement` [3 * block nodes] m.
   virtual void write_candidates(const ContactCandidates& candidates, const std::vector<double>& displacement) = 0;
   /// Whether a probe has moved by more than `limit` m since then, or could in `ahead` seconds.

@@ -35,20 +35,21 @@ class MotionLane {
     exec.for_each(body.nodes.node_count, StepMotion<Real>{body, view(), step});
   }
   MotionMeasure sums(Exec& exec, const BodyView<Real>& body, double step_before) {
-    const auto s =
-        exec.template combine<motion_sum_count>(body.nodes.node_count, MotionSums<Real>{body, view(), step_before});
-    return {s[motion_kinetic], s[motion_potential], s[motion_rest_work], s[motion_supplied], s[motion_damped], 0};
+    return measure(exec, body.nodes.node_count, MotionSums<Real>{{body, view(), step_before}});
   }
   /// In large displacement, without the energy that elements and contacts store at the present displacement.
   MotionMeasure turning_sums(Exec& exec, const BodyView<Real>& body, double step_before) {
-    const auto s =
-        exec.template combine<motion_sum_count>(body.nodes.node_count, TurningSums<Real>{body, view(), step_before});
-    return {s[motion_kinetic], s[motion_potential], 0, s[motion_supplied], s[motion_damped], 0};
+    return measure(exec, body.nodes.node_count, TurningSums<Real>{{body, view(), step_before}});
   }
 
  private:
   template <class T>
   using Array = typename Exec::template Array<T>;
+  template <class Sums>
+  static MotionMeasure measure(Exec& exec, int nodes, const Sums& sums) {
+    const auto s = exec.template combine<motion_sum_count>(nodes, sums);
+    return {s[motion_kinetic], s[motion_potential], s[motion_rest_work], s[motion_supplied], s[motion_damped], 0};
+  }
   MotionView<Real> view() {
     return {damped_beside_ ? damping_force_.data() : nullptr,
             given_velocity.size() > 0 ? given_velocity.data() : nullptr, load_work.data(), damping_work.data()};

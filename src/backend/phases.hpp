@@ -11,6 +11,7 @@
 #include "backend/averaging.hpp"
 #include "backend/backend.hpp"
 #include "backend/balance_lane.hpp"
+#include "backend/crack_lane.hpp"
 #include "backend/heat_lane.hpp"
 #include "backend/machine_memory.hpp"
 #include "backend/motion_lane.hpp"
@@ -25,9 +26,7 @@
 #include "kernels/move_nodes.hpp"
 #include "kernels/relaxation_sums.hpp"
 #include "kernels/spring_advance.hpp"
-#include "kernels/spring_break.hpp"
 #include "kernels/spring_force.hpp"
-#include "kernels/sum.hpp"
 
 /// Every phase once, for any machine. Exec brings memory and a parallel for:
 ///   template <class T> using Array: resize(n), upload(span), download(span), copy(array of this size), data()
@@ -73,7 +72,7 @@ class Phases final : public Backend {
     springs_.weaken(factor);
     ++MachineMemory::changes;  // launches that a machine has recorded carry the laws
   }
-  void use_large_displacement(bool on) override { large_ = on; }
+  void use_large_displacement() override { large_ = true; }
   void write_candidates(const ContactCandidates& candidates, const std::vector<double>& displacement) override {
     moving_contacts_.write(candidates, displacement);
     motion_.clear_damping_force();
@@ -127,19 +126,11 @@ class Phases final : public Backend {
           if constexpr (std::decay_t<decltype(law)>::history_size > 0) gauss_stress<true>(element, law, b);
         });
         return find_memory();
-      case Phase::spring_utilisation: largest_ = find_worst(); return;
-      case Phase::spring_crossing:
-        largest_ = combine_contacts<1, Largest>([&](auto springs, int) {
-          return SpringCrossing<Real, decltype(springs)>{springs, u_before_.view(), body_.u};
-        })[0];
-        return;
-      case Phase::break_springs: return break_at(controls.break_threshold);
-      case Phase::keep_springs: return keep_slip();
-      case Phase::look_at_springs:
-        largest_ = combine_contacts<1>([&](auto springs, int first) {
-          return LookAtSprings<Real, decltype(springs)>{memory_of(springs, first), springs_.joined.data() + first};
-        })[0];
-        return;
+      case Phase::spring_utilisation: return cracks_.find_worst(exec_, body_.u);
+      case Phase::spring_crossing: return cracks_.find_crossing(exec_, u_before_.view(), body_.u);
+      case Phase::break_springs: return cracks_.break_at(exec_, body_.u, controls.break_threshold);
+      case Phase::keep_springs: return cracks_.keep(exec_, body_.u);
+      case Phase::look_at_springs: return cracks_.look(exec_, body_.u);
       case Phase::heat_flow: return heat_.find_flow(exec_);
       case Phase::step_heat: return heat_.step(exec_, controls.time_step);
       case Phase::heat_steps: return heat_.march(exec_, controls.time_step, controls.steps);
@@ -161,7 +152,7 @@ class Phases final : public Backend {
         motion_.start(node_count(), contact_count());
         return moving_contacts_.start();
       case Phase::advance_springs:
-        changed_.known = false;
+        cracks_.changed.known = false;
         return each_contact([&](auto springs, int first) {
           return AdvanceSprings<Real, decltype(springs)>{springs,
                                                          body_.u,
@@ -217,25 +208,25 @@ class Phases final : public Backend {
 
   double largest_utilisation() override {
     run(Phase::spring_utilisation);
-    return largest_;
+    return cracks_.largest;
   }
   double first_crossing() override {
     run(Phase::spring_crossing);
-    return -largest_;
+    return -cracks_.largest;
   }
   CrackMeasure break_springs(double most, double share) override {
-    largest_ = most;
+    cracks_.largest = most;
     run(Phase::break_springs, {.break_threshold = share * most});
-    return cracked_;
+    return cracks_.cracked;
   }
   CrackMeasure keep_springs() override {
     run(Phase::keep_springs);
-    return cracked_;
+    return cracks_.cracked;
   }
-  ChangedContacts take_changed_contacts() override { return std::exchange(changed_, {true}); }
+  ChangedContacts take_changed_contacts() override { return std::exchange(cracks_.changed, {true}); }
   long loosened_springs() override {
     run(Phase::look_at_springs);
-    return static_cast<long>(largest_);
+    return static_cast<long>(cracks_.largest);
   }
 
   void write_groups(const NodeGroups& groups) override {
@@ -333,7 +324,7 @@ class Phases final : public Backend {
   /// What depends on a field that has been written.
   void written(Field field) {
     if (field == Field::history) find_memory();
-    if (field == Field::contact_state) changed_.known = false;
+    if (field == Field::contact_state) cracks_.changed.known = false;
   }
   /// What the stress lane works on.
   void make_body(const Setup& setup) {
@@ -402,60 +393,6 @@ class Phases final : public Backend {
       exec_.for_each(springs_.overlaps().contact_count, kernel_of(springs_.overlaps(), pairs));
   }
 
-  /// Combines terms_of(springs, their first contact point) over all contact points.
-  template <int count, class How = Sum, class TermsOf>
-  std::array<double, count> combine_contacts(TermsOf terms_of) {
-    const int pairs = springs_.pairs().contact_count;
-    auto all = exec_.template combine<count, How>(pairs, terms_of(springs_.pairs(), 0));
-    if (pairs == contact_count()) return all;
-    const auto overlaps = exec_.template combine<count, How>(springs_.overlaps().contact_count,
-                                                             terms_of(springs_.overlaps(), pairs));
-    for (int k = 0; k < count; ++k) all[k] = How::of(all[k], overlaps[k]);
-    return all;
-  }
-  template <class View>
-  SpringMemory<Real, View> memory_of(const View& springs, int first) {
-    return {springs, body_.u, springs_.slip.data() + 3 * first, springs_.damage_from(first)};
-  }
-  double find_worst() {
-    return combine_contacts<1, Largest>(
-        [&](auto springs, int) { return SpringUtilisation<Real, decltype(springs)>{springs, body_.u}; })[0];
-  }
-  /// The worst, which uses `largest_` of its strength, and all at or above `threshold`.
-  void break_at(double threshold) {
-    const double worst = combine_contacts<1, Largest>([&](auto springs, int first) {
-      return WorstSpring<Real, decltype(springs)>{{springs, body_.u}, largest_, springs_.number() + first};
-    })[0];
-    list_to_break(threshold);
-    const auto sum = combine_contacts<3>([&](auto springs, int) {
-      return BreakSprings<Real, decltype(springs)>{{springs, body_.u}, threshold};
-    });
-    cracked_ = {static_cast<int>(sum[2]), CrackKey::number(worst), CrackKey::mode(worst), {sum[0], sum[1], 0}};
-  }
-  /// Adds those to changed_ one by one, as long as they are few.
-  void list_to_break(double threshold) {
-    constexpr int few = 64;
-    double last = -Largest::start;
-    for (int found = 0; changed_.known; ++found) {
-      last = combine_contacts<1, Largest>([&](auto springs, int first) {
-        return NextToBreak<Real, decltype(springs)>{{springs, body_.u}, threshold, last, springs_.number() + first};
-      })[0];
-      if (last == Largest::start) return;
-      changed_.points.push_back(CrackKey::number(last));
-      changed_.known = found < few;
-    }
-  }
-  void keep_slip() {
-    double key = Largest::start;
-    changed_.known = changed_.known && springs_.damage.size() == 0;
-    if (springs_.damage.size() > 0)
-      key = combine_contacts<1, Largest>([&](auto springs, int first) {
-        return FirstSoftened<Real, decltype(springs)>{memory_of(springs, first), springs_.number() + first};
-      })[0];
-    const auto sum = combine_contacts<4>(
-        [&](auto springs, int first) { return KeepSprings<Real, decltype(springs)>{memory_of(springs, first)}; });
-    cracked_ = {static_cast<int>(sum[3]), CrackKey::number(key), CrackKey::mode(key), {sum[0], sum[1], sum[2]}};
-  }
   void set_damping(const Controls& c) {
     const StepDamping<Real> damping{Real(c.local_damping), Real((2 - c.viscous_damping) / (2 + c.viscous_damping)),
                                     Real(2 / (2 + c.viscous_damping))};
@@ -805,6 +742,7 @@ class Phases final : public Backend {
   std::vector<int> first_history_;
   NodeSet<Exec> blocks_;
   Springs<Exec, Real> springs_;
+  CrackLane<Exec, Real> cracks_{springs_};
   MovingContacts<Exec, Real> moving_contacts_;
   BalanceLane<Exec, Real> balance_;
   Array<StepDamping<Real>> damping_;
@@ -819,9 +757,6 @@ class Phases final : public Backend {
       warming_, stress_, history_, corner_gradient_;
   Array<std::uint8_t> fixed_, remembers_;
   std::array<double, relaxation_sum_count> relaxation_sums_{};
-  double largest_ = 0;    ///< of the last phase that looked at all contact points
-  ChangedContacts changed_;
-  CrackMeasure cracked_;  ///< by the last phase that cracked any
   BodyView<Real> body_;
   Array<int> group_first_, group_member_, group_of_node_;
   Array<Real> group_pull_, group_shared_;

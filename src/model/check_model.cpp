@@ -252,7 +252,11 @@ class ModelCheck {
         complaints_.add(i.where, other + ": 'initial_opening' does not go with large_displacement in stage '" +
                                      stage.name + "'; leave a gap between the bodies");
     }
-    if (const auto inside = node_inside(model_.mesh, interface_of_regions(model_))) {
+    const bool first = std::none_of(model_.stages.begin(), model_.stages.begin() + index, [](const Stage& s) {
+      const auto* d = std::get_if<DynamicSolve>(&s.solve);
+      return d && d->large_displacement;
+    });
+    if (const auto inside = first ? node_inside(model_.mesh, interface_of_regions(model_)) : std::nullopt) {
       const Vec3<double>& p = model_.mesh.points[inside->node];
       complaints_.add(stage.where, who + "needs bodies beside each other: a corner at (" + number_text(p.x) + ", " +
                                        number_text(p.y) + ", " + number_text(p.z) + ") m is inside region '" +

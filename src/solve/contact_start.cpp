@@ -1,5 +1,7 @@
 #include "solve/contact_start.hpp"
 
+#include <cstddef>
+
 #include "kernels/moving_contact.hpp"
 #include "solve/contact_states.hpp"
 
@@ -35,7 +37,7 @@ void begin_with_shear_of_springs(const Problem& problem) {
         stretch[p] = stretch[p] - (side * share / contacts.shear_stiffness[c]) * points[c].traction.shear;
       }
     });
-  constexpr int shear = 5;  // of the numbers of ProbeMemory
+  constexpr std::size_t shear = offsetof(ProbeMemory<double>, shear) / sizeof(double);
   for (int p = 0; p < surface.probe_count(); ++p)
     for (int i = 0; i < 3 && area[p] > 0; ++i) memory[probe_numbers * p + shear + i] = stretch[p][i] / area[p];
   backend.write(Field::probe_memory, memory);

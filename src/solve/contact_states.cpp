@@ -39,7 +39,6 @@ std::vector<ContactPoint> ContactReader::read() const {
       point.slip = answer.slip;
       point.rubbing = answer.rubbing;
       point.damage = answer.damage;
-      point.lost = answer.lost;
       point.state = answer.state;
       point.bonded = answer.damage < 1;
       continue;

@@ -14,7 +14,6 @@ struct ContactPoint {
   Vec3<double> slip;       ///< m
   Vec3<double> rubbing;    ///< Pa, the part of the shear traction that slip has a share in
   double damage = 0;       ///< broken share
-  Dissipation<double> lost;                   ///< J/m^2 since the last kept equilibrium, by what softens
   ContactState state = ContactState::intact;  ///< with the present damage of what softens
   bool bonded = false;  ///< carries tension
   bool closed = false;  ///< pressed together, in its initial stress too

@@ -5,9 +5,10 @@
 
 namespace ashlar {
 
-CrackEvents::CrackEvents(const Problem& problem) : problem_(problem), contacts_(problem) {
+CrackEvents::CrackEvents(const Problem& problem) : problem_(problem) {
+  const ContactReader contacts(problem);
   for (int c = 0; c < problem.contacts.count(); ++c) {
-    const auto& law = contacts_.law(c);
+    const auto& law = contacts.law(c);
     breakable_ = breakable_ || law.breakable;
     softens_ = softens_ || law.softens();
     slides_ = slides_ || law.separates();

@@ -44,7 +44,7 @@ class CrackEvents {
 
   void exchange(Exchange& e) {
     e("dissipated", dissipated_);
-    cracked_.reset();
+    if (e.taking()) cracked_.reset();
   }
 
   /// Share of the contact points with a strength that have cracked.
@@ -54,7 +54,6 @@ class CrackEvents {
   /// Books a group that cracked at the same time, and tells of it.
   CrackEvent event_of(const CrackMeasure& cracked, double load_factor);
   const Problem& problem_;
-  ContactReader contacts_;
   bool breakable_ = false;
   bool slides_ = false;
   bool softens_ = false;

@@ -135,7 +135,7 @@ class Motion {
       if (!moving || (static_cast<unsigned>(fixed[i / 3]) >> i % 3) & 1u) velocity[i] = 0;
     backend_.write(Field::velocity, velocity);
     if (large())
-      backend_.use_large_displacement(true);
+      backend_.use_large_displacement();
     else
       find_force_at_rest();
     backend_.run(Phase::start_motion);

@@ -33,7 +33,7 @@ Eigen::Matrix<double, 6, 1> strain_of(int c, const Vec3<double>& g) {
 }
 
 template <class Element>
-Eigen::MatrixXd relaxed(const Mesh& mesh, int element, bool bbar, const Elastic& law, const Eigen::MatrixXd& stress) {
+Eigen::MatrixXd relaxed(const Mesh& mesh, int element, bool bbar, const Elastic::Point<double>& law, const Eigen::MatrixXd& stress) {
   constexpr int points = Element::gauss_points;
   const std::span<const int> nodes = mesh.element(element);
   double x[3][Element::corners];
@@ -55,8 +55,8 @@ Eigen::MatrixXd relaxed(const Mesh& mesh, int element, bool bbar, const Elastic&
   }
   mean /= volume.sum();
   Eigen::Matrix<double, 6, 6> stiffness = Eigen::Matrix<double, 6, 6>::Zero();
-  stiffness.topLeftCorner<3, 3>().setConstant(law.lambda());
-  stiffness.diagonal() += law.shear() * (Eigen::Matrix<double, 6, 1>() << 2, 2, 2, 1, 1, 1).finished();
+  stiffness.topLeftCorner<3, 3>().setConstant(law.lambda);
+  stiffness.diagonal() += law.shear * (Eigen::Matrix<double, 6, 1>() << 2, 2, 2, 1, 1, 1).finished();
   Eigen::MatrixXd work = Eigen::MatrixXd::Zero(modes, modes), mode_stress(6 * points, modes);
   Eigen::VectorXd push = Eigen::VectorXd::Zero(modes);
   for (int g = 0; g < points; ++g) {
@@ -75,7 +75,7 @@ Eigen::MatrixXd relaxed(const Mesh& mesh, int element, bool bbar, const Elastic&
 
 }  // namespace
 
-Eigen::MatrixXd without_incompatible(const Mesh& mesh, int element, bool bbar, const Elastic& law,
+Eigen::MatrixXd without_incompatible(const Mesh& mesh, int element, bool bbar, const Elastic::Point<double>& law,
                                      const Eigen::MatrixXd& stress) {
   switch (mesh.shapes[element]) {
     case Shape::hex8: return relaxed<Hex8<double>>(mesh, element, bbar, law, stress);

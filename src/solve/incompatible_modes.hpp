@@ -14,7 +14,7 @@ namespace ashlar {
 /// solution: displacements stay what they are, and so does the mean stress of an element. tet4 has none.
 /// @param bbar whether the element's change of volume is that of its mean
 /// @param stress [Gauss points x 6] Pa, xx yy zz xy yz zx
-Eigen::MatrixXd without_incompatible(const Mesh& mesh, int element, bool bbar, const Elastic& law,
+Eigen::MatrixXd without_incompatible(const Mesh& mesh, int element, bool bbar, const Elastic::Point<double>& law,
                                      const Eigen::MatrixXd& stress);
 
 }  // namespace ashlar

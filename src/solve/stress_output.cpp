@@ -52,7 +52,7 @@ void side_by_side(int n, const Work& work) {
 
 /// Stress at the corners of an element that averages over it and its neighbours start from: [corners x 6].
 Eigen::MatrixXd corner_stress(const Problem& p, const Batch& batch, int e, std::span<const double> gauss, bool bbar,
-                              const std::optional<Elastic>& elastic) {
+                              const std::optional<Elastic::Point<double>>& elastic) {
   Eigen::MatrixXd values = gauss_values(batch, e, gauss);
   // Initial stress is given, not the answer of elements to a movement; a law that flows bounds its stress already.
   if (elastic) {
@@ -97,9 +97,10 @@ std::vector<double> nodal_stress(const Problem& p, std::span<const double> gauss
   constexpr int at_once = 1 << 16;  // elements: found on all cores, then summed in their order
   std::vector<Eigen::MatrixXd> corner;
   for (const Batch& batch : p.discretisation.batches) {
-    std::optional<Elastic> elastic;
-    if (history_size(setup.laws[batch.material]) == 0)
-      elastic = make_law<Elastic>(p.model.materials[batch.material].values);
+    const BlockLaw& law = setup.laws[batch.material];
+    std::optional<Elastic::Point<double>> elastic;
+    if (history_size(law) == 0)
+      elastic = std::visit([](const auto& l) { return l.template prepare<double>().elastic(); }, law);
     const int end = batch.first_element + batch.element_count;
     for (int first = batch.first_element; first < end; first += at_once) {
       corner.resize(std::min(at_once, end - first));

@@ -189,13 +189,11 @@ HeatMarch::HeatMarch(const Problem& problem, Backend& backend, int stage)
                        shortest_period(model, stage) / steps_of_period});
   for (double& c : capacity) c = 1 / c;
   backend.write(Field::inverse_capacity, capacity);
-  const std::vector<double> open = open_to_heat(problem);
-  boundary_ = std::make_unique<BoundaryInTime>(problem, backend, stage, open);
-  open_joints(open);
+  open_joints(open_to_heat(problem));
 }
 
 void HeatMarch::open_joints(const std::vector<double>& open) {
-  if (open.empty() || open == open_) return;
+  if (boundary_ && open == open_) return;
   open_ = open;
   boundary_.reset();  // which takes its parts from the machine
   const std::vector<HeatLink> links = heat_links(problem_.model, problem_.blocks, problem_.contacts, open);

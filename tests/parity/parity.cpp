@@ -330,7 +330,7 @@ std::vector<double> tumble(const Problem& p, Backend& b, int steps) {
   std::vector<double> inverse_mass = b.read(Field::stiffness);
   for (double& m : inverse_mass) m = 1 / (1e-6 * m);
   b.write(Field::inverse_mass, inverse_mass);
-  b.use_large_displacement(true);
+  b.use_large_displacement();
   b.run(Phase::start_motion);
   const auto search = [&] {
     const std::vector<double> u = b.read(Field::displacement);

@@ -44,6 +44,46 @@ TEST(fracture, P33_a_stack_of_blocks_settles_by_its_blocks_and_its_contacts) {
   EXPECT_NEAR(-column.displacement_of(model.mesh.node_count() - 1).z, settlement, 1e-6 * settlement);
 }
 
+// Steps are pulled by groups of bonded nodes: after some bonds have gone, those found by taking apart what lost one have
+// to be those that a look at everything finds.
+TEST(fracture, virtual_mass_follows_cracks_as_if_it_were_set_anew) {
+  Model model;
+  model.mesh = brick({3, 3, 3}, [](const Vec3<double>& p) { return 3.0 * p; });
+  model.materials = bar(1, "brittle", {}).materials;
+  model.interfaces = {{"cracks", {}, true, {"body"}, "brittle",
+                       {{"tensile_strength", 1e6}, {"cohesion", 2e6}, {"friction", 0.7}}}};
+  StaticCase blocks(model, tight);
+  blocks.fix("bottom", 7);
+  const Problem& p = blocks.problem();
+  Backend& b = *p.backend;
+  std::vector<double> u(3 * p.blocks.node_count());
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] = 1e-6 * std::sin(0.7 * double(i));
+  b.write(Field::displacement, u);
+  const auto relaxed = [&] {
+    b.write(Field::displacement, u);
+    b.run(Phase::stop_nodes);
+    b.relax({.viscous_damping = 0.1}, 5);
+    return b.read(Field::displacement);
+  };
+  VirtualMass mass(p, b, tight);
+  mass.set();
+  const auto bonded = b.read(Field::inverse_mass);
+  int cracked = 0;
+  for (int event = 0; event < 20; ++event) {
+    b.write(Field::displacement, u);
+    const CrackMeasure broken = b.break_springs(b.largest_utilisation(), 0.9);
+    cracked += broken.count;
+    ASSERT_GT(broken.count, 0);
+    mass.set();
+    const auto inverse_mass = b.read(Field::inverse_mass), moved = relaxed();
+    set_virtual_mass(p, b, tight);
+    EXPECT_EQ(b.read(Field::inverse_mass), inverse_mass);
+    EXPECT_EQ(relaxed(), moved);
+  }
+  EXPECT_NE(b.read(Field::inverse_mass), bonded) << "no group fell apart";
+  EXPECT_LT(cracked, p.contacts.count()) << "nothing is left to be grouped";
+}
+
 // P39: a bar fixed at both ends cracks when cooled by f_t / (E alpha); springs make the bar softer by 1 / (k_n h).
 TEST(fracture, P39_a_cooled_bar_cracks_at_its_tensile_strength) {
   const int n = 5;

@@ -293,6 +293,28 @@ class Program(unittest.TestCase):
                 if not line.startswith("#")]
         self.assertEqual(float(rows[1].split(",")[rows[0].split(",").index("temperature [degC]")]), 25)
 
+    def test_a_fracture_stage_without_a_start_goes_on_from_the_temperature_that_the_body_has(self):
+        (self.folder / "free.lua").write_text("""model "free" { reference_temperature = 20*degC }
+            box "bar" { from = {0,0,0}, to = {1*m,0.2*m,0.2*m}, cells = {4,1,1} }
+            material "concrete" { region = "bar", density = 2400, young = 30*GPa, poisson = 0, expansion = 1e-5/K,
+              conductivity = 2, heat_capacity = 900 }
+            fix { surface = "bar.left", x = 0, y = 0, z = 0 }
+            local function at(t) return { fixed_temperature { surface = { "bar.left", "bar.right" }, value = t*degC } } end
+            stage "autumn" { apply = at(10), solve = thermal { steady = true } }
+            stage "cool" { solve = static { tolerance = 1e-8 } }
+            stage "winter" { apply = at(0), solve = thermal { steady = true } }
+            stage "cracks" { solve = fracture { to = "winter", increments = 2, tolerance = 1e-8 } }
+            stage "after" { solve = static { tolerance = 1e-8 } }
+            history "tip" { at = {1,0.1,0.1}, record = { "displacement" } }""", encoding="utf-8")
+        answer = self.ashlar("run", "free.lua")
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertIn("nothing can crack", answer.stdout)
+        rows = [line.split(",") for line in (self.folder / "free.run/history_tip.csv").read_text(encoding="utf-8").splitlines()
+                if not line.startswith("#")]
+        tip = {row[0]: float(row[rows[0].index("displacement.x [m]")]) for row in rows[1:]}
+        for stage, warming in (("cool", -10), ("cracks", -20), ("after", -20)):  # expansion * warming * length
+            self.assertAlmostEqual(tip[stage] / (1e-5 * warming), 1, delta=1e-5, msg=stage)
+
     def test_check_knows_the_steps_of_stages_in_time(self):
         self.deck('''stage "shake" { solve = dynamic { duration = 0.1, record_every = 0.1 } }
             stage "heat" { apply = { fixed_temperature { surface = "left", value = 20*degC } },

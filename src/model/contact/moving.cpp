@@ -76,6 +76,7 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
   const Mesh& mesh = model.mesh;
   ContactSurface s;
   s.interface = interface_of_regions(model);
+  const int regions = s.regions = static_cast<int>(mesh.region_names.size());
   for (const Interface& i : model.interfaces) {
     const InterfaceConstants constants = interface_constants(i.law, i.values, i.where, i.name);
     s.laws.push_back(
@@ -87,7 +88,6 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
     Vec3<double> normal;
   };
   std::vector<std::vector<Share>> around(blocks.node_count());  // by the machine's numbers
-  const int regions = static_cast<int>(mesh.region_names.size());
   double smallest = std::numeric_limits<double>::infinity();
   for (const Facet& facet : block_faces(model, blocks)) {
     const int region = mesh.regions[facet.element], block = blocks.block_of_element[facet.element];
@@ -136,7 +136,7 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
 
 ContactCandidates find_candidates(const ContactSurface& surface, const std::vector<Vec3<double>>& places) {
   const int triangles = surface.triangle_count(), probes = surface.probe_count();
-  const int regions = static_cast<int>(std::lround(std::sqrt(static_cast<double>(surface.interface.size()))));
+  const int regions = surface.regions;
   std::vector<Box3> of_probes, of_triangles;
   const Vec3<double> skin{surface.skin, surface.skin, surface.skin};
   for (const int n : surface.probe_node) of_probes.push_back({places[n] - skin, places[n] + skin});
@@ -182,7 +182,7 @@ ContactCandidates find_candidates(const ContactSurface& surface, const std::vect
 }
 
 std::vector<double> contact_stiffness(const ContactSurface& surface, int node_count) {
-  const int regions = static_cast<int>(std::lround(std::sqrt(static_cast<double>(surface.interface.size()))));
+  const int regions = surface.regions;
   std::vector<double> stiffness(node_count);
   for (int p = 0; p < surface.probe_count(); ++p) {
     double stiffest = 0, area = 0;

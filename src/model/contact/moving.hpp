@@ -25,7 +25,8 @@ struct ContactSurface {
   std::vector<int> facet;                                  ///< [..] one triangle of a face around the probe
   std::vector<double> area;      ///< [..] m^2, integral of the node's shape function over that face
   std::vector<ContactLaw> laws;  ///< [interfaces]
-  std::vector<int> interface;    ///< [regions * regions] index into laws; -1: they never touch
+  int regions = 0;
+  std::vector<int> interface;  ///< [regions * regions] index into laws; -1: they never touch
   double skin = 0;               ///< m, how far beside it a search looks
   int triangle_count() const { return static_cast<int>(block.size()); }
   int probe_count() const { return static_cast<int>(probe_node.size()); }

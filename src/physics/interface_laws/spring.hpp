@@ -94,9 +94,6 @@ struct Dissipation {
     return {opening + other.opening, shear + other.shear, friction + other.friction};
   }
 };
-inline Dissipation<double> operator*(double area, const Dissipation<double>& d) {
-  return {area * d.opening, area * d.shear, area * d.friction};
-}
 
 /// The same of a softening spring; slip is that of its broken share.
 template <class Real>
