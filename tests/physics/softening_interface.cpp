@@ -42,7 +42,7 @@ struct Bond {
     damage = now.damage;
     slip = now.slip;
     state = now.state;
-    lost = lost + 1.0 * now.lost;
+    lost = lost + now.lost;
     gap = to;
     traction = pull;
     return before - held(to);
