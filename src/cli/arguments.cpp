@@ -211,7 +211,7 @@ std::span<const Verb> verbs() {
        {"--tolerance", "--line", "--stage", "--of"},
        "how far two runs (folders or result files) of one mesh are apart, field by field and stage by stage"},
       {"bench", "[WORK]", 0, 1, {"--device", "--threads", "--elements", "--out"}, "measures element-steps per second: elastic, crackable, heat; all of them unless one is named"},
-      {"help", "[NOUN]", 0, 1, {}, "this page, the keys of a noun of the deck language, or the options of a command"},
+      {"help", "[WORD]", 0, 1, {}, "this page, a noun of the deck language with its keys, any other word of it, or the options of a command"},
       {"version", "", 0, 0, {}, "the version"},
   };
   return all;

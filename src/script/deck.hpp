@@ -58,8 +58,9 @@ struct ExpectOutcome {
 /// Compares a finished run with the deck's expects, in the deck's order. An expect whose stage was not reached fails.
 std::vector<ExpectOutcome> evaluate(const Deck& deck, const RunResult& result);
 
-/// `ashlar help NOUN`, from the schema: also "units" and "functions". Throws DeckError for a noun that does not exist.
-std::string help(const std::string& noun);
+/// `ashlar help WORD`, from the schema: a noun, key, law, choice, unit, function, value of a result, "units" or
+/// "functions". Throws DeckError for a word that does not exist.
+std::string help(const std::string& word);
 /// `ashlar help`: every noun with one line.
 std::string help_index();
 

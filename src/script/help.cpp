@@ -1,9 +1,13 @@
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <sstream>
 
 #include "base/nearest_name.hpp"
 #include "script/deck.hpp"
+#include "script/function_docs.hpp"
 #include "script/quantity.hpp"
 #include "script/schema.hpp"
 
@@ -112,35 +116,25 @@ std::string help_units() {
   return all + "\nUse them in products: 30*GPa, 2.6*W/(m*K), 42*deg. Sums of different dimensions are errors.\n";
 }
 
-std::string help_functions() {
-  return R"(Functions of the deck language, beside Lua's own table, string, math and utf8.
+constexpr const char* lua_words[] = {
+    "and",    "break",  "do",       "else",     "elseif",         "end",    "false",  "for",    "function",
+    "goto",   "if",     "in",       "local",    "nil",            "not",    "or",     "repeat", "return",
+    "then",   "true",   "until",    "while",    "assert",         "error",  "ipairs", "print",  "select",
+    "string", "table",  "tonumber", "tostring", "math",           "type",   "utf8",   "setmetatable"};
 
-  deck.args { size = { default = 4, unit = m, range = {1, 20}, doc = "element size" } }
-      declares arguments and returns their values; ashlar run dam.lua --set size=2 changes one.
-      Bare numbers are in the argument's unit. Defaults may be texts, true or false too.
-  deck.read_table "air.csv"     deck.read_table("air.csv", { time = days, temperature = degC })
-      columns of numbers by the names in the first line: air.time[1], air.temperature[1]. Without names they are time,
-      value, value_2, ... Numbers are SI (seconds) or in the units given by column.
-      The file lies beside the file that names it, or below.
-  in_time { {0*days, -2*degC}, {180*days, 28*degC} }     in_time(function(t) return 10 + 8*math.sin(t/5e6) end)
-      values that follow time, for every key that "may change in time"; straight lines between rows, constant before
-      the first and after the last. Bare rows do too: ambient = { {0*days, 5*degC}, {30*days, 9*degC} }. So does a table
-      read from a file with one column beside time; of more columns: in_time(air.time, air.temperature).
-      Time is that of the run, in seconds: the durations of thermal, coupled and dynamic stages, one after the other. Other stages
-      take no time: they see the values of the time reached. A function of t is sampled when the deck has been read;
-      a function of position is written function(x, y, z), one of both function(x, y, z, t): it is sampled at so many
-      times, when its stage begins, that straight lines between them are 1e-4 of the change off at most.
-  in_stage { ... }   in_stage(function(t) ... end)
-      the same, with time counted from the beginning of the stage where the condition first acts, as for a shaken base.
-  interpolate(places, values, x)
-      value at x of the polyline through the points; places ascend; constant beyond the ends.
-  pairs(t)
-      visits keys in a fixed order: numbers, then texts, each ascending.
-  strict(t, "what")
-      t, which from then on answers a wrong key with the right ones.
-  require "seasons"
-      runs seasons.lua beside the deck, once, and returns what it returns.
-)";
+std::string help_functions() {
+  std::string all = "Functions of the deck language, beside Lua's own table, string, math and utf8.\n\n";
+  for (const auto& function : function_docs()) all += function.text;
+  return all;
+}
+
+std::string help_function(const std::string& name) {
+  std::string all;
+  for (const auto& function : function_docs())
+    if (std::find(function.words.begin(), function.words.end(), name) != function.words.end()) all += function.text;
+  if (!all.empty()) return "Functions\n\n" + all + "\n`ashlar help functions` shows the others.\n";
+  if (std::find(std::begin(lua_words), std::end(lua_words), name) == std::end(lua_words)) return "";
+  return "'" + name + "' is a word of Lua 5.4, which decks are written in: https://www.lua.org/manual/5.4\n";
 }
 
 std::string law_text(const LawDoc& law) {
@@ -168,17 +162,138 @@ std::string help_law(const std::string& name) {
   return all;
 }
 
+/// Everything that takes keys: nouns, and laws of nouns.
+struct Owner {
+  std::string title;
+  std::vector<KeyRule> keys;
+};
+std::vector<Owner> owners() {
+  std::vector<Owner> all;
+  for (const auto& noun : nouns()) {
+    all.push_back({noun.name, noun.keys});
+    for (const auto& law : laws_of(noun)) {
+      all.push_back({noun.name + ", law = \"" + law.name + "\"", {}});
+      for (const auto& key : law.keys) all.back().keys.push_back(rule_of(key));
+    }
+  }
+  return all;
+}
+
+/// The keys that are asked for, each with its owners.
+template <class Wanted>
+std::string key_lines(Wanted wanted) {
+  std::vector<std::pair<std::string, std::string>> found;  // line of a key, owners
+  for (const auto& owner : owners())
+    for (const auto& key : owner.keys) {
+      if (!wanted(key)) continue;
+      const std::string line = key_line(key);
+      const auto same = std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.first == line; });
+      if (same == found.end())
+        found.emplace_back(line, owner.title);
+      else
+        same->second += "; " + owner.title;
+    }
+  std::string all;
+  for (const auto& [line, titles] : found) all += wrapped(titles, 0, 0) + "\n" + line;
+  return all;
+}
+
 /// Where a key is used; "" if nowhere.
 std::string help_key(const std::string& name) {
+  const std::string all = key_lines([&](const KeyRule& key) { return key.name == name; });
+  return all.empty() ? all : "A key of\n\n" + all + "\n`ashlar help NOUN` shows all keys of a noun.\n";
+}
+
+/// A word that a key may take: formulation = "bbar".
+std::string help_choice(const std::string& name) {
+  const std::string all = key_lines([&](const KeyRule& key) {
+    return std::find(key.choices.begin(), key.choices.end(), name) != key.choices.end();
+  });
+  return all.empty() ? all : "\"" + name + "\" is a choice of\n\n" + all;
+}
+
+std::string unit_of(const KeyRule& k) { return unit_symbol(k.dimension, k.dimension == dimension::temperature); }
+
+/// A unit constant, with the others of its dimension and the keys that take them.
+std::string help_unit(const std::string& name) {
+  for (const auto& unit : units()) {
+    if (unit.name != name) continue;
+    std::string others;
+    for (const auto& u : units())
+      if (u.dimension == unit.dimension && u.name != name && u.name != "percent" && name != "percent")
+        others += (others.empty() ? "" : ", ") + u.name;
+    std::string keys;
+    for (const auto& owner : owners())
+      for (const auto& k : owner.keys) {
+        const bool takes = unit.dimension == dimension::none ? k.is_angle() && name != "percent"
+                                                             : k.dimension == unit.dimension && k.type != KeyType::flag;
+        if (takes && (", " + keys + ",").find(", " + k.name + ",") == std::string::npos)
+          keys += (keys.empty() ? "" : ", ") + k.name;
+      }
+    return "Unit constant " + name + ": " + unit.doc + ". Numbers are multiplied by it, as in 3*" + name + ".\n" +
+           (others.empty() ? "" : "Others of its kind: " + others + "\n") +
+           (keys.empty() ? "" : "Keys that take it: " + wrapped(keys, 2, 20) + "\n") +
+           "`ashlar help units` shows all.\n";
+  }
+  const std::string all = key_lines([&](const KeyRule& key) { return !name.empty() && unit_of(key) == name; });
+  return all.empty() ? all : "A unit of\n\n" + all;
+}
+
+/// A value that the functions of `expect` find in a result: .safety_factor
+std::string help_result(const std::string& name) {
+  const std::string& doc = find_noun("expect")->doc;
+  for (std::size_t at = 0; (at = doc.find("." + name, at)) != std::string::npos; ++at) {
+    const char after = doc[at + name.size() + 1];
+    if (doc[at - 1] == ' ' && !std::isalnum(static_cast<unsigned char>(after)) && after != '_')
+      return "A value of results, in functions of `expect`:\n\n" + wrapped(doc, 0, 0) + "\n";
+  }
+  return "";
+}
+
+/// All that a word means beside a noun.
+std::string other_meanings(const std::string& name) {
+  std::string all;
+  for (const std::string& page : {help_law(name), help_key(name), help_choice(name), help_unit(name),
+                                  help_function(name), help_result(name)})
+    if (!page.empty()) all += (all.empty() ? "" : "\n") + page;
+  return all;
+}
+
+/// Every word that a deck may contain, but those of Lua.
+std::vector<std::string> known_words() {
+  std::vector<std::string> all = {"units", "functions"};
+  const auto add = [&](const std::string& word) {
+    if (std::find(all.begin(), all.end(), word) == all.end()) all.push_back(word);
+  };
+  for (const auto& noun : nouns()) {
+    add(noun.name);
+    for (const auto& law : laws_of(noun)) add(law.name);
+  }
+  for (const auto& owner : owners())
+    for (const auto& key : owner.keys) {
+      add(key.name);
+      for (const auto& choice : key.choices) add(choice);
+    }
+  for (const auto& unit : units()) add(unit.name);
+  for (const auto& function : function_docs())
+    for (const auto& word : function.words) add(word);
+  return all;
+}
+
+/// Nouns whose help speaks of something that is no word of the language.
+std::string nouns_that_mention(const std::string& name) {
+  const auto speaks = [&](const std::string& doc) { return doc.find(name) != std::string::npos; };
   std::string all;
   for (const auto& noun : nouns()) {
-    for (const auto& key : noun.keys)
-      if (key.name == name) all += noun.name + "\n" + key_line(key);
-    for (const auto& law : laws_of(noun))
-      for (const auto& key : law.keys)
-        if (key.name == name) all += noun.name + ", law = \"" + law.name + "\"\n" + key_line(rule_of(key));
+    bool found = speaks(noun.doc);
+    for (const auto& key : noun.keys) found = found || speaks(key.doc);
+    for (const auto& law : laws_of(noun)) {
+      found = found || speaks(law.doc);
+      for (const auto& key : law.keys) found = found || speaks(key.doc);
+    }
+    if (found) all += (all.empty() ? "" : ", ") + noun.name;
   }
-  return all.empty() ? all : "A key, no noun. It belongs to\n\n" + all + "\n`ashlar help NOUN` shows all keys of a noun.\n";
+  return all;
 }
 
 }  // namespace
@@ -191,7 +306,7 @@ std::string help_index() {
   }
   return all +
          "\n  units                 unit constants\n  functions             deck.args, deck.read_table, in_time, interpolate, "
-         "...\n\n`ashlar help NAME` also knows laws (jointed, brittle, ...) and keys (film, young, ...).\n";
+         "...\n\n`ashlar help WORD` knows every word of a deck: laws (brittle), keys (film), choices (bbar), units (MPa), functions.\n";
 }
 
 std::string help(const std::string& name) {
@@ -199,15 +314,22 @@ std::string help(const std::string& name) {
   if (name == "functions") return help_functions();
   const NounRule* noun = find_noun(name);
   if (!noun) {
-    for (const std::string& page : {help_law(name), help_key(name)})
-      if (!page.empty()) return page;
-    std::vector<std::string> valid = {"units", "functions"}, laws;
-    for (const auto& n : nouns()) {
-      valid.push_back(n.name);
-      for (const auto& law : laws_of(n)) laws.push_back(law.name);
-    }
-    if (nearest_name(name, valid).empty() && !nearest_name(name, laws).empty()) valid = laws;
-    throw DeckError({}, "help: there is no noun '" + name + "'" + suggest_name(name, valid));
+    const std::string page = other_meanings(name);
+    if (!page.empty()) return page;
+    // "displacement.x", "math.sin": what stands before the dot.
+    if (const auto dot = name.find('.'); dot != std::string::npos && dot > 0) return help(name.substr(0, dot));
+    const std::vector<std::string> words = known_words();
+    constexpr std::size_t telling = 4;  // letters of a word that is worth a search
+    const auto alike = std::find_if(words.begin(), words.end(), [&](const std::string& word) {
+      return std::equal(word.begin(), word.end(), name.begin(), name.end(),
+                        [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+    });
+    const std::string near = alike != words.end() ? *alike : key_meant(name, words);
+    const std::string mentioned = near.empty() && name.size() >= telling ? nouns_that_mention(name) : "";
+    throw DeckError({}, "help: '" + name + "' is no word of the deck language" +
+                            (!near.empty()        ? ": did you mean '" + near + "'?"
+                             : !mentioned.empty() ? "; the help of these nouns speaks of it: " + mentioned
+                                                  : "; `ashlar help` lists its nouns"));
   }
   std::string all = noun->name +
                     (noun->naming == Naming::required   ? " \"name\" { ... }"
@@ -221,7 +343,14 @@ std::string help(const std::string& name) {
       for (const auto& law : laws) key.choices.push_back(law.name);
   for (const auto& key : keys) all += key_line(key);
   for (const auto& law : laws) all += "\n" + law_text(law);
-  return all + "\nExample\n  " + noun->example + "\n";
+  all += "\nExample\n  " + noun->example + "\n";
+  std::string keyed;
+  for (const auto& owner : owners())
+    for (const auto& key : owner.keys)
+      if (key.name == name && owner.title != name) keyed += (keyed.empty() ? "" : "; ") + owner.title;
+  if (!keyed.empty()) all += "\n`" + name + "` is also a key of " + wrapped(keyed, 0, name.size() + 20) + "\n";
+  const std::string choice = help_choice(name);
+  return choice.empty() ? all : all + "\n" + choice;
 }
 
 }  // namespace ashlar

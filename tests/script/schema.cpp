@@ -1,6 +1,9 @@
 #include "script/schema.hpp"
 
+#include <set>
+
 #include "script/deck_text.hpp"
+#include "script/quantity.hpp"
 
 namespace ashlar {
 namespace {
@@ -48,6 +51,40 @@ TEST(Schema, HelpShowsEveryKeyAndEveryLaw) {
     EXPECT_NE(help_index().find("  " + noun.name + " "), std::string::npos);
   }
   EXPECT_THROW(help("materiel"), DeckError);
+}
+
+TEST(Schema, HelpAnswersEveryWordThatADeckMayContain) {
+  std::set<std::string> words = {"units",     "functions", "deck",   "args",    "read_table",    "in_time",   "in_stage",
+                                 "interpolate", "pairs",   "strict", "require", "safety_factor", "converged", "values",
+                                 "local",     "function",  "math",   "math.sin", "displacement.x", "deck.args",
+                                 "W/(m*K)",   "J/m^2"};
+  for (const auto& unit : units()) words.insert(unit.name);
+  const auto add = [&](const KeyRule& key) {
+    words.insert(key.name);
+    words.insert(key.choices.begin(), key.choices.end());
+  };
+  for (const auto& noun : nouns()) {
+    for (const auto& key : noun.keys) add(key);
+    for (const auto& law : laws_of(noun)) {
+      words.insert(law.name);
+      for (const auto& key : law.keys) add(rule_of(key));
+    }
+  }
+  for (const auto& word : words) EXPECT_NO_THROW(help(word)) << word;
+  EXPECT_NE(help("bbar").find("that of the element's mean"), std::string::npos);
+  EXPECT_NE(help("MPa").find("1e6 Pa"), std::string::npos);
+  EXPECT_NE(help("MPa").find("tensile_strength"), std::string::npos);
+  EXPECT_NE(help("surface").find("also a key of fix"), std::string::npos);
+  const auto refusal = [](const char* word) {
+    try {
+      return help(word);
+    } catch (const DeckError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_NE(refusal("E").find("did you mean 'young'"), std::string::npos);
+  EXPECT_NE(refusal("mpa").find("did you mean 'MPa'"), std::string::npos);
+  EXPECT_NE(refusal("hydrating").find("heat_source"), std::string::npos);
 }
 
 }  // namespace
