@@ -26,7 +26,6 @@ class Assembly {
     if (model_.extrudes.empty() && model_.boxes.empty() && model_.solids.empty() && model_.imports.empty())
       throw DeckError(model_.where, "the model has no geometry; declare an extrude, a box, a solid or an import_mesh");
     mesh_ = Mesh{};
-    model_.notes.clear();
     make_sources();
     merge();
     for (std::size_t s = 0; s < sources_.size(); ++s)

@@ -332,7 +332,7 @@ struct Model {
   std::vector<Output> outputs;
   std::vector<Picture> pictures;
   Mesh mesh;                                  ///< whole model, filled by build_mesh
-  std::vector<std::string> notes;             ///< what build_mesh did that the deck does not say
+  std::vector<std::string> notes;             ///< doubts about the deck, and what build_mesh did that it does not say
 };
 
 /// Whether blocks may move far in one of the stages.

@@ -451,6 +451,7 @@ Deck read_deck(const std::string& path, const std::map<std::string, std::string>
   raise_first(deck.sandbox->complaints);
   const auto sources = deck.sandbox->sources();
   deck.files.insert(deck.files.begin(), sources.begin(), sources.end());
+  deck.model.notes = deck.sandbox->hidden_names();
   reader.read_files();
   raise_first(deck.sandbox->complaints);
   return deck;

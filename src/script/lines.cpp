@@ -1,6 +1,8 @@
 #include "script/lines.hpp"
 
+#include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace ashlar {
 namespace {
@@ -103,6 +105,77 @@ struct Frame {
   bool field_start = true;
 };
 
+/// Names that a deck declares, and whether they are used as factors while they are seen.
+class Locals {
+ public:
+  explicit Locals(const std::vector<Token>& tokens) : tokens_(tokens) {}
+
+  std::vector<LocalName> all() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+      if (is(i, "repeat") || is(i, "if")) blocks_.push_back(false);
+      if (is(i, "do")) {
+        blocks_.push_back(false);
+        for (const std::size_t name : std::exchange(loop_, {})) declare(name, true);
+      }
+      if (is(i, "end") || is(i, "until")) leave();
+      if (is(i, "for")) loop_ = names_from(i + 1);
+      if (is(i, "function")) enter_function(i);
+      if (is(i, "local") && is(i + 1, "function")) declare(i + 2, false);
+      if (is(i, "local") && !is(i + 1, "function"))
+        for (const std::size_t name : names_from(i + 1)) declare(name, false);
+      if (i > 0 && tokens_[i].kind == Token::word && (is(i - 1, "*") || is(i - 1, "/"))) use(tokens_[i].value);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  bool is(std::size_t i, const char* word) const {
+    return i < tokens_.size() && tokens_[i].kind != Token::text && tokens_[i].value == word;
+  }
+  /// Places of the names of `a, b, c` from a place on; attributes such as <const> are passed.
+  std::vector<std::size_t> names_from(std::size_t i) const {
+    std::vector<std::size_t> names;
+    while (i < tokens_.size() && tokens_[i].kind == Token::word) {
+      names.push_back(i++);
+      if (is(i, "<")) i += 3;
+      if (!is(i, ",")) break;
+      ++i;
+    }
+    return names;
+  }
+  void enter_function(std::size_t i) {
+    blocks_.push_back(true);
+    while (i < tokens_.size() && !is(i, "(")) ++i;
+    for (const std::size_t name : names_from(i + 1)) declare(name, true);
+  }
+  void declare(std::size_t i, bool of_block) {
+    if (i >= tokens_.size() || tokens_[i].kind != Token::word) return;
+    const bool in_function = std::find(blocks_.begin(), blocks_.end(), true) != blocks_.end();
+    seen_.push_back({found_.size(), blocks_.size()});
+    found_.push_back({tokens_[i].value, tokens_[i].line, of_block || in_function, false});
+  }
+  void leave() {
+    if (!blocks_.empty()) blocks_.pop_back();
+    while (!seen_.empty() && seen_.back().depth > blocks_.size()) seen_.pop_back();
+  }
+  void use(const std::string& name) {
+    for (auto seen = seen_.rbegin(); seen != seen_.rend(); ++seen)
+      if (LocalName& local = found_[seen->index]; local.name == name) {
+        local.is_factor = true;
+        return;
+      }
+  }
+
+  struct Seen {
+    std::size_t index, depth;
+  };
+  const std::vector<Token>& tokens_;
+  std::vector<LocalName> found_;
+  std::vector<Seen> seen_;         ///< those in whose block the cursor is
+  std::vector<bool> blocks_;       ///< open ones; true: a function
+  std::vector<std::size_t> loop_;  ///< names of a loop whose `do` is still to come
+};
+
 bool opens(const Token& t) {
   if (t.kind == Token::symbol) return t.value == "(";
   return t.kind == Token::word && (t.value == "function" || t.value == "do" || t.value == "if" || t.value == "repeat");
@@ -116,6 +189,7 @@ bool closes(const Token& t) {
 
 DeckLines::DeckLines(const std::string& text) {
   const auto tokens = Lexer(text).tokens();
+  locals_ = Locals(tokens).all();
   std::vector<Frame> frames;
   auto is = [&](std::size_t i, const char* symbol) {
     return i < tokens.size() && tokens[i].kind == Token::symbol && tokens[i].value == symbol;

@@ -13,8 +13,10 @@
 #include <sstream>
 
 #include "base/nearest_name.hpp"
+#include "script/function_docs.hpp"
 #include "script/in_time.hpp"
 #include "script/quantity.hpp"
+#include "script/schema.hpp"
 
 namespace ashlar {
 namespace {
@@ -59,8 +61,21 @@ int unknown_global(lua_State* L) {
                     (near.empty() ? "; declare it with 'local' before use" : "; did you mean '" + near + "'?"));
 }
 
+/// "the unit s (second)", "the noun fix": what a name is in the deck language; "" if nothing.
+std::string meaning(const std::string& name) {
+  for (const auto& unit : units())
+    if (unit.name == name) return "the unit " + name + " (" + unit.doc + ")";
+  if (find_noun(name)) return "the noun " + name;
+  for (const auto& function : function_docs())
+    if (function.words.front() == name) return "the function " + name;
+  return "";
+}
+
 int new_global(lua_State* L) {
   const std::string name = text_at(L, 2);
+  if (const std::string own = meaning(name); !own.empty())
+    throw ScriptError("'" + name + "' is " + own + " and keeps that meaning; choose another name: local my_" + name +
+                      " = ...");
   throw ScriptError("global name '" + name + "' is assigned; write 'local " +
                     (lua_isfunction(L, 3) ? "function " + name + "(...)" : name + " = ...") + "'");
 }
@@ -232,6 +247,11 @@ void Sandbox::call(int arguments, int results, long instructions, const std::str
         "; a value with a unit becomes a plain number when it is divided by one: x/m. In a function of time t is a "
         "plain "
         "number of seconds, and so is t*s/year one";
+  // Lua's own error about a value of the wrong kind: "attempt to call a table value (local 'joint')".
+  if (const auto at = message.find("(local '"); at != std::string::npos) {
+    const std::string name = message.substr(at + 8, message.find('\'', at + 8) - at - 8), own = meaning(name);
+    if (!own.empty()) message += "; it hides " + own + ", choose another name";
+  }
   std::vector<std::string> lines;
   std::istringstream split(message);
   for (std::string line; std::getline(split, line);) lines.push_back(line);
@@ -267,6 +287,21 @@ std::string Sandbox::read_source(const std::string& path) {
   if (text.find('\0') != std::string::npos) throw DeckError({}, path + ": is no text; a deck is a Lua text in UTF-8");
   lines_[path] = DeckLines(text);
   return text;
+}
+
+std::vector<std::string> Sandbox::hidden_names() const {
+  std::vector<std::string> notes;
+  for (const auto& [path, lines] : lines_)
+    for (const LocalName& local : lines.locals()) {
+      const std::string own = meaning(local.name);
+      const bool unit = own.starts_with("the unit");
+      // A parameter t is time, and what lives in a few lines hides a unit only from those that would use it.
+      if (own.empty() || (local.of_block && (!unit || !local.is_factor || local.name == "t"))) continue;
+      notes.push_back(Where{path, local.line}.prefix() + "the name '" + local.name + "' hides " + own + ": " +
+                      (unit ? "3*" + local.name + " has no unit" : local.name + " { ... } does not work") +
+                      " where it is seen; choose another name");
+    }
+  return notes;
 }
 
 void Sandbox::run_deck() { run_text(read_source(deck), "@" + deck); }

@@ -63,6 +63,8 @@ class Sandbox : public std::enable_shared_from_this<Sandbox> {
   /// folder.
   std::string data_file(const std::string& file) const;
 
+  /// Names of the language that the deck gives another meaning, one note each.
+  std::vector<std::string> hidden_names() const;
   /// Every Lua file that was read, sorted.
   std::vector<std::string> sources() const;
 

@@ -9,6 +9,22 @@ using test::complaint;
 using test::DeckFolder;
 using test::read_text;
 
+TEST(Deck, ANameThatHidesAUnitOrANounIsNoted) {
+  const auto notes = [](const std::string& text) {
+    std::string all;
+    for (const auto& note : read_text("model \"a\" {}\n" + text).model.notes) all += note.substr(note.rfind('/') + 1) + "\n";
+    return all;
+  };
+  EXPECT_EQ(notes("local s = 3\nlocal depth = 3*m"),
+            "deck.lua:2: the name 's' hides the unit s (second): 3*s has no unit where it is seen; choose another name\n");
+  EXPECT_EQ(notes("\nlocal function fix() end"),
+            "deck.lua:3: the name 'fix' hides the noun fix: fix { ... } does not work where it is seen; choose another "
+            "name\n");
+  EXPECT_NE(notes("local function f(m) return 3*m end"), "");
+  // Time in its own functions, and short-lived names that are no factor.
+  EXPECT_EQ(notes("local f = in_time(function(t) return 1 + 2*t end)\nlocal function g(result) local s = result end"), "");
+}
+
 TEST(Deck, NumbersReachTheModelInSI) {
   const Deck deck = read_text(R"(
     model "m" { reference_temperature = 10*degC }

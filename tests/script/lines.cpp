@@ -50,6 +50,22 @@ end
   EXPECT_EQ(lines.line(10, "box", "box 1", "from"), 11);
 }
 
+TEST(DeckLines, LocalNamesThatHideUnitsAreFoundWhereTheyAreDeclared) {
+  const DeckLines lines(R"(local a, m = 1, 2  -- local W = 3
+local c <const>, N = 4, 5
+local function box(K) return 3 * K end
+for i, t in ipairs { 1 } do local J = t end
+local x = { s = 3*kg, J = "local kN" }
+model "deck" { reference_temperature = function(t) return 2*s/t end }
+if x then local deg = 1 end
+return 2*deg
+)");
+  std::string found;
+  for (const LocalName& local : lines.locals())
+    found += local.name + std::to_string(local.line) + (local.of_block ? "b" : "") + (local.is_factor ? "f" : "") + " ";
+  EXPECT_EQ(found, "a1 m1 c2 N2 box3 K3bf i4b t4b J4 x5 t6bf deg7 ");
+}
+
 TEST(DeckLines, TwoCallsOnOneLineAreToldApartByName) {
   const DeckLines lines("fix \"a\" { x = 0 } fix \"b\" {\n  x = 0 }\n");
   EXPECT_EQ(lines.line(1, "fix", "a", "x"), 1);

@@ -24,7 +24,14 @@ TEST(Sandbox, BytecodeIsNotADeck) {
 }
 
 TEST(Sandbox, NamesOfTheLanguageCannotBeReplaced) {
-  EXPECT_EQ(complaint("fix = 3"), "deck.lua:1: global name 'fix' is assigned; write 'local fix = ...'");
+  EXPECT_EQ(complaint("fix = 3"),
+            "deck.lua:1: 'fix' is the noun fix and keeps that meaning; choose another name: local my_fix = ...");
+  EXPECT_EQ(complaint("\ns = 3"),
+            "deck.lua:2: 's' is the unit s (second) and keeps that meaning; choose another name: local my_s = ...");
+  EXPECT_EQ(complaint("heigth = 3"), "deck.lua:1: global name 'heigth' is assigned; write 'local heigth = ...'");
+  EXPECT_NE(complaint("local box = {}\nbox 'a' {}")
+                .find("deck.lua:2: attempt to call a table value (local 'box'); it hides the noun box, choose another"),
+            std::string::npos);
   EXPECT_EQ(complaint("function climate() end"),
             "deck.lua:1: global name 'climate' is assigned; write 'local function climate(...)'");
   EXPECT_EQ(complaint("local x = materal"), "deck.lua:1: unknown name 'materal'; did you mean 'material'?");
