@@ -38,6 +38,20 @@ ASHLAR_HD float reciprocal(float a) {
 #endif
 }
 
+/// Keeps a device's compiler from keeping, instead of working out again, what it has worked out from `a`: registers are
+/// dearer than arithmetic there.
+template <class V>
+ASHLAR_HD void forget(V& a) {
+#ifdef __CUDA_ARCH__
+  if constexpr (sizeof(V) == 8)
+    asm volatile("" : "+d"(a));
+  else
+    asm volatile("" : "+f"(a));
+#else
+  (void)a;
+#endif
+}
+
 template <class T>
 ASHLAR_HD T larger(T a, T b) {
   return a < b ? b : a;
