@@ -41,6 +41,7 @@ class CudaArray {
   }
   /// From an array of this size, on this device or on another, whose stream has nothing left to do.
   void copy(const CudaArray& other) {
+    if (size_ == 0) return;
     int here = 0;
     cudaPointerAttributes there{};
     check(cudaGetDevice(&here), "ask for the device");

@@ -77,7 +77,9 @@ enum class Field : std::uint8_t {
   crack_water,          ///< [contact points] Pa, pressure where they are open; empty: all is dry
   contact_damage,       ///< [contact points] broken share of a bond that softens; empty: nothing softens
   joined,               ///< [contact points] 1: its sides held each other at the last Backend::loosened_springs
-  displacement_before,  ///< [3 * block nodes] m, start of the way that spring_crossing looks at
+  displacement_before,  ///< [3 * block nodes] m, of the last equilibrium (keep_equilibrium); motions: of the step before
+  kept_slip,            ///< [3 * contact points] m, of the last equilibrium
+  displacement_rate,    ///< [3 * block nodes] m per load factor, see keep_equilibrium; empty: not known
   spring_dissipation,   ///< [3 * contact points] J since start_motion: of opening, shear, friction
   load_work,            ///< [block nodes] J since start_motion
   damping_work,         ///< [block nodes] J since start_motion
@@ -218,8 +220,19 @@ class Backend {
   virtual HeatMeasure heat_sums() = 0;
   /// Share of its strength that the worst contact point uses; not above 0 where nothing can break.
   virtual double largest_utilisation() = 0;
-  /// Fraction of the way from Field::displacement_before to now at which a contact point first uses its strength; above
-  /// 1: none does.
+  /// Paths of loads: the present displacement and slip become the equilibrium to go on from. With `advance` > 0, the
+  /// load factor since the last one, the way between the two gives the rate to go on at.
+  virtual void keep_equilibrium(double advance) = 0;
+  /// Back to that equilibrium and straight on by `advance` of the load factor, where the rate is known.
+  virtual void leave_equilibrium(double advance) = 0;
+  /// The present displacement and slip become the end of the way that begins there.
+  virtual void keep_way_end() = 0;
+  /// To a fraction of that way, with the slip of its beginning.
+  virtual void go_part_of_way(double fraction) = 0;
+  virtual void go_to_way_end() = 0;
+  /// Largest component of displacement since that equilibrium, m.
+  virtual double moved_since_equilibrium() = 0;
+  /// Fraction of that way at which a contact point first uses its strength; above 1: none does.
   virtual double first_crossing() = 0;
   /// Cracks all contact points that use at least `share` of what the worst one uses, which is `most`.
   virtual CrackMeasure break_springs(double most, double share) = 0;

@@ -63,7 +63,12 @@ std::vector<NounRule> stage_nouns() {
                     "the last stage that balanced stress, the reference temperature before the first"),
                 key("to", Type::text, "thermal stage whose end is the goal").need(),
                 key("increments", Type::integer, "steps of the load factor from 0 to 1").otherwise(10),
-                key("max_events", Type::integer, "gives up after so many crack events").otherwise(100000)} +
+                key("max_events", Type::integer, "gives up after so many crack events").otherwise(100000),
+                number("event_group", dimension::none, Range{0.5, 1},
+                       "contact points that use at least this share of what the worst one uses of its strength crack "
+                       "with it, in one event; less: fewer events, in large models far fewer, and a coarser order of "
+                       "cracks")
+                    .otherwise(0.999)} +
            relaxation_keys(),
        .example = R"(stage "fracture" { solve = fracture { from = "summer", to = "winter", increments = 10 } })"},
       {.name = "coupled",
