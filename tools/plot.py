@@ -15,7 +15,8 @@ examples
   ashlar plot dam.run --of displacement.x --stage gravity --deform auto
   ashlar plot dam.run --of stress.zz --section y=2.5 --regions dam
   ashlar plot dam.run --of cracks --deform 200 --view iso
-  ashlar plot dam.run --history crest
+  ashlar plot dam.run --history crest                        over all stages, or along the one that takes time
+  ashlar plot dam.run --history crest --stage year           along one stage
   ashlar plot rock.csv                                       the curves of ashlar material dam.lua rock --to rock.csv
   ashlar plot dam.run --of temperature --profile 0,30:60,30  from (x, z) to (x, z)
 """
@@ -44,7 +45,7 @@ def read_arguments(words):
                                      formatter_class=argparse.RawDescriptionHelpFormatter, allow_abbrev=False)
     parser.add_argument("run", metavar="RUN", help="folder of a run, or curves of `ashlar material` (.csv)")
     parser.add_argument("--of", metavar="FIELD", help="displacement, temperature, stress.zz, ..., or cracks")
-    parser.add_argument("--stage", default="", help="at the end of this stage (the last)")
+    parser.add_argument("--stage", default="", help="at the end of this stage (the last); of a history: along this stage")
     parser.add_argument("--deform", metavar="X", type=magnification, default=0.0,
                         help="magnification of the displacement, or auto (undeformed)")
     parser.add_argument("--section", default="", metavar="PLANE", help="y: cut at mid thickness; y=3.5: there (surface)")
@@ -91,7 +92,7 @@ def main(words):
         parts = [arguments.history or request.of, request.stage, "profile" if arguments.profile else "", request.view]
         path = arguments.out or run.folder / ("-".join(p for p in parts if p).replace("=", "") + ".png")
         if arguments.history:
-            pictures.history_picture(run, arguments.history, path)
+            pictures.history_picture(run, arguments.history, path, request.stage)
         elif arguments.profile:
             pictures.profile_picture(run, request, *arguments.profile, path)
         else:

@@ -21,6 +21,11 @@ void describe_initial(Page& page, const InitialBalance& initial) {
   page.line("stage", "    is gravity given, are level, unit weight and k0 those of the ground, are its sides held?");
 }
 
+void describe_end(Page& page, const StageResult& stage) {
+  if (stage.balanced()) return;
+  page.line("stage", "  its end is NOT in balance: the last row of histories has balanced = 0, pictures say so");
+}
+
 void describe_stage(Page& page, int number, const StageResult& stage) {
   if (stage.kind == "dynamic") {
     page.line("stage", text("%d %s (%s): %s, %s of %.3g s, %s", number, stage.name.c_str(), stage.kind.c_str(),
@@ -126,8 +131,10 @@ std::string summary(const Model& model, const RunResult& result, const RunFacts&
   Page page;
   page.line("model",
             model.name + text(": %s, ", counted(model.mesh.element_count(), "element").c_str()) + result.device);
-  for (std::size_t i = 0; i < result.stages.size(); ++i)
+  for (std::size_t i = 0; i < result.stages.size(); ++i) {
     describe_stage(page, static_cast<int>(i) + 1, result.stages[i]);
+    describe_end(page, result.stages[i]);
+  }
   for (const StageResult& stage : result.stages) describe_cracks(page, stage);
   for (const StageResult& stage : result.stages)
     if (stage.plastic_work > 0)

@@ -82,7 +82,8 @@ std::string step_group(std::size_t step) {
 GridStep read_step(hdf5::File& file, std::size_t step) {
   const std::string group = step_group(step);
   return {file.number(group, "time"), file.text(group, "stage"), static_cast<int>(file.number(group, "stage_number")),
-          file.number(group, "load_factor"), file.number(group, "stage_end") != 0};
+          file.number(group, "load_factor"), file.number(group, "stage_end") != 0,
+          file.number(group, "balanced") != 0};
 }
 
 GridFile::GridFile(const std::string& folder, const std::string& name, const Grid& grid,
@@ -187,6 +188,7 @@ void GridFile::append(const GridStep& step, const std::vector<const void*>& data
   file_.attribute(group, "time", step.time);
   file_.attribute(group, "load_factor", step.load_factor);
   file_.attribute(group, "stage_end", std::int64_t{step.stage_end});
+  file_.attribute(group, "balanced", std::int64_t{step.balanced});
 
   const auto append_integer = [&](const std::string& dataset, std::int64_t value) {
     file_.append(dataset, H5T_NATIVE_INT64, &value, 1);

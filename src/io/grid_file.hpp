@@ -36,6 +36,7 @@ struct GridStep {
   int stage_number = 0;
   double load_factor = 0;
   bool stage_end = true;
+  bool balanced = true;  ///< false: the last state of a stage that failed
 };
 
 /// Where output `step` (0-based) lies in a file, and when it was made.

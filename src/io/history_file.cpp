@@ -15,7 +15,7 @@ std::string cell(const std::string& text) {
 }  // namespace
 
 HistoryFile::HistoryFile(const std::string& path, const HistoryTable& table) : file_(path) {
-  std::string header = "stage,time,load_factor";
+  std::string header = "stage,time,load_factor,balanced";
   for (std::size_t c = 0; c < table.columns.size(); ++c)
     header += "," + cell(table.columns[c] + " [" + table.units.at(c) + "]");
   file_.add(header + "\n");
@@ -25,7 +25,7 @@ void HistoryFile::update(const HistoryTable& table) {
   std::string lines;
   for (; rows_ < table.rows.size(); ++rows_) {
     const auto& row = table.rows[rows_];
-    lines += cell(row.stage) + "," + shortest(row.time) + "," + shortest(row.load_factor);
+    lines += cell(row.stage) + "," + shortest(row.time) + "," + shortest(row.load_factor) + (row.balanced ? ",1" : ",0");
     for (const double value : row.values) lines += "," + shortest(value);
     lines += "\n";
   }

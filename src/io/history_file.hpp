@@ -6,7 +6,8 @@
 
 namespace ashlar {
 
-/// One history as a table: stage, time, load_factor, then the recorded columns with their units: "displacement.x [m]".
+/// One history as a table: stage, time, load_factor, balanced (0: the last state of a stage that failed), then the
+/// recorded columns with their units: "displacement.x [m]".
 /// Numbers are the shortest text that reads back as the same number.
 class HistoryFile {
  public:

@@ -226,7 +226,8 @@ ResultFile::ResultFile(const std::string& folder, const std::string& program, co
 void ResultFile::append(const Snapshot& snapshot) {
   // Two outputs of one time (the last increment and the end of its stage) stay apart and in order.
   last_time_ = snapshot.time > last_time_ ? snapshot.time : last_time_ + 1e-6;
-  const GridStep step{last_time_, snapshot.stage, snapshot.stage_number, snapshot.load_factor, snapshot.stage_end};
+  const GridStep step{last_time_, snapshot.stage, snapshot.stage_number, snapshot.load_factor, snapshot.stage_end,
+                      snapshot.balanced};
 
   Values values(snapshot, model_.reference_temperature);
   std::vector<const void*> data;

@@ -101,6 +101,7 @@ Json described(const StageResult& stage) {
   Json json{{"name", stage.name},
             {"kind", stage.kind},
             {"converged", stage.converged},
+            {"balanced", stage.balanced()},
             {"stop_reason", stage.stop_reason},
             {"steps", stage.steps},
             {"ratio", stage.ratio},
@@ -152,7 +153,7 @@ Json described(const StageResult& stage) {
 }  // namespace
 
 std::vector<std::string> identity(const RunDescription& description) {
-  std::vector<std::string> lines{"ashlar " + description.version + ", checkpoints of kind 1",
+  std::vector<std::string> lines{"ashlar " + description.version + ", checkpoints of kind 2",
                                  description.precision + " precision"};
   for (const auto& [name, value] : description.settings) lines.push_back("argument " + name + "=" + value);
   std::vector<std::string> files = description.files;

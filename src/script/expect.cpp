@@ -58,6 +58,8 @@ int stage(lua_State* L) {
   text("stop_reason", s.stop_reason);
   lua_pushboolean(L, s.converged);
   lua_setfield(L, -2, "converged");
+  lua_pushboolean(L, s.balanced());
+  lua_setfield(L, -2, "balanced");
   number("steps", static_cast<double>(s.steps));
   number("ratio", s.ratio);
   number("load_factor", s.load_factor);

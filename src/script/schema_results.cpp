@@ -80,7 +80,9 @@ std::vector<std::string> history_names() {
 std::vector<NounRule> result_nouns() {
   return {
       {.name = "history",
-       .doc = "A curve in history.csv: fields at a point, sums over a surface, or energies of the whole model.",
+       .doc = "A curve in history_NAME.csv: fields at a point, sums over a surface, or energies of the whole model; a row "
+              "at the start, at the end of every stage and on the way (increments, times). Its column balanced is 0 in "
+              "the last row of a stage that failed, which is no equilibrium, else 1.",
        .keys = {key("at", Type::vector, "the point; give this or `surface`").in(dimension::length),
                 key("surface", Type::text, "the surface; give this or `at`"),
                 key("record", Type::choices,
@@ -113,10 +115,11 @@ std::vector<NounRule> result_nouns() {
               "value at the end of a stage lies in `between`, or "
               "is `value` within `tolerance` or `relative`; or `that` is a function of the result returning true (and, "
               "if it likes, a text). The result offers "
-              "stage(name) with .converged .steps .ratio .load_factor .stop_reason .cracks (number of crack events) "
+              "stage(name) with .converged .balanced (whether its last state is) .steps .ratio .load_factor .stop_reason .cracks (number of crack events) "
               ".first_crack (the load factor of the first) .first_crack_place (its .x .y .z) .cracked_area "
               ".dissipated_energy .plastic_work .fracture_work .safety_factor .falling_factor .free_blocks, "
-              "and history(name) with .at(column, stage), .values(column, stage) and .columns.",
+              "and history(name) with .at(column, stage), .values(column, stage) and .columns. The end of a stage that "
+              "failed is not in balance: no statement about it holds, and .values leaves it out.",
        .keys = {key("history", Type::text, "name of a history"),
                 key("component", Type::text, "its column, such as \"displacement.z\""),
                 key("stage", Type::text, "at the end of this stage; the last row unless given"),

@@ -80,6 +80,7 @@ void exchange(Exchange& e, const std::string& name, HistoryTable::Row& row) {
   e(name + ".time", row.time);
   e(name + ".load_factor", row.load_factor);
   e(name + ".value", row.values);
+  e(name + ".balanced", row.balanced);
 }
 
 }  // namespace ashlar

@@ -17,6 +17,7 @@ struct Snapshot {
   double time = 0;                    ///< same as HistoryTable::Row::time
   double load_factor = 0;
   bool stage_end = true;
+  bool balanced = true;               ///< false: the last state of a stage that failed
   std::vector<double> displacement;       ///< [3 * block nodes] m, counted from the last reset
   std::vector<double> temperature;        ///< [block nodes] degC
   std::vector<double> stress;             ///< [6 * elements] Pa, element mean: xx yy zz xy yz zx

@@ -211,7 +211,7 @@ void Recorder::add_values(const Probe& probe, std::vector<double>& row) {
 
 void Recorder::history_rows(const Moment& moment) {
   for (std::size_t h = 0; h < probes_.size(); ++h) {
-    HistoryTable::Row row{problem_.model.stages[moment.stage].name, moment.time, moment.load_factor, {}};
+    HistoryTable::Row row{problem_.model.stages[moment.stage].name, moment.time, moment.load_factor, {}, moment.balanced};
     if (timed_) row.values.push_back(moment.seconds);
     add_values(probes_[h], row.values);
     tables_[h].rows.push_back(std::move(row));
@@ -226,6 +226,7 @@ void Recorder::snapshot(const Moment& moment) {
   s.time = moment.time;
   s.load_factor = moment.load_factor;
   s.stage_end = moment.stage_end;
+  s.balanced = moment.balanced;
   s.displacement = displacement();
   for (std::size_t i = 0; i < s.displacement.size(); ++i) s.displacement[i] -= reference_displacement_[i];
   if (!temperature_.empty())
@@ -250,6 +251,10 @@ void Recorder::snapshot(const Moment& moment) {
   observer_.output(s);
 }
 
+std::string HistoryTable::not_in_balance(const std::string& stage) const {
+  return "history '" + name + "': the end of stage '" + stage + "' is not in balance, for the stage failed";
+}
+
 std::size_t HistoryTable::index_of(const std::string& column) const {
   std::size_t index = 0;
   while (index < columns.size() && columns[index] != column) ++index;
@@ -264,16 +269,24 @@ std::size_t HistoryTable::index_of(const std::string& column) const {
 double HistoryTable::at(const std::string& column, const std::string& stage) const {
   const std::size_t index = index_of(column);
   for (auto row = rows.rbegin(); row != rows.rend(); ++row)
-    if (stage.empty() || row->stage == stage) return row->values[index];
+    if (stage.empty() || row->stage == stage) {
+      if (!row->balanced) throw std::out_of_range(not_in_balance(row->stage));
+      return row->values[index];
+    }
   throw std::out_of_range("history '" + name + "' has no row of stage '" + stage + "'");
 }
 
 std::vector<double> HistoryTable::values(const std::string& column, const std::string& stage) const {
   const std::size_t index = index_of(column);
   std::vector<double> values;
-  for (const Row& row : rows)
-    if (stage.empty() || row.stage == stage) values.push_back(row.values[index]);
-  if (values.empty()) throw std::out_of_range("history '" + name + "' has no row of stage '" + stage + "'");
+  bool failed = false;
+  for (const Row& row : rows) {
+    if (!stage.empty() && row.stage != stage) continue;
+    if (row.balanced) values.push_back(row.values[index]);
+    failed = failed || !row.balanced;
+  }
+  if (values.empty())
+    throw std::out_of_range(failed ? not_in_balance(stage) : "history '" + name + "' has no row of stage '" + stage + "'");
   return values;
 }
 

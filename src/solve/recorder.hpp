@@ -17,6 +17,7 @@ struct Moment {
   bool stage_end = false;
   double seconds = 0;  ///< dynamic, coupled and transient stages: since the stage began
   int record = 0;      ///< of those: number of the row, from 1
+  bool balanced = true;
 };
 
 class Recorder {

@@ -86,6 +86,13 @@ struct StageResult {
   std::optional<InitialBalance> initial;               ///< of the first mechanical stage of a model with initial stress
   EnergyBalance energy;                                ///< at the end of a dynamic stage
   std::optional<LaneTimes> lanes;                      ///< of a coupled stage
+
+  /// Whether its last state is one to trust: in balance, or on its way in time where no balance is asked for.
+  bool balanced() const {
+    if (kind == "strength reduction") return safety_factor > 0;
+    const bool on_its_way = kind == "dynamic" || kind == "thermal transient";
+    return converged || stop_reason == "precision limit" || (on_its_way && stop_reason == "interrupted");
+  }
 };
 
 /// One history: columns with units; a row whenever something was recorded (start, increments, stage ends).
@@ -98,15 +105,18 @@ struct HistoryTable {
     double time = 0;                  ///< stages done, with the fraction of the present one (load factor, share of a duration)
     double load_factor = 0;
     std::vector<double> values;
+    bool balanced = true;             ///< false: the last state of a stage that failed, see StageResult::balanced
   };
   std::vector<Row> rows;
-  /// Value of `column` at the end of `stage` ("" : last row). Throws std::out_of_range with the valid names.
+  /// Value of `column` at the end of `stage` ("" : last row). Throws std::out_of_range with the valid names, and where
+  /// that row is not in balance.
   double at(const std::string& column, const std::string& stage) const;
-  /// Values of `column` in all rows of `stage` ("" : all rows), in order. Throws as at().
+  /// Values of `column` in all rows of `stage` ("" : all rows) that are in balance, in order. Throws if there are none.
   std::vector<double> values(const std::string& column, const std::string& stage) const;
 
  private:
   std::size_t index_of(const std::string& column) const;
+  std::string not_in_balance(const std::string& stage) const;
 };
 
 struct RunResult {

@@ -183,7 +183,7 @@ class Run {
 
     lost_by_contacts_ = lost_by_contacts_ + outcome_.dissipated_by_contacts;
     recorder_.contact_dissipation(lost_by_contacts_);
-    record({stage_, stage_ + 1.0, outcome_.load_factor, true, outcome_.seconds, 0});
+    record({stage_, stage_ + 1.0, outcome_.load_factor, true, outcome_.seconds, 0, outcome_.balanced()});
     if (after_record_) std::exchange(after_record_, nullptr)();
     outcome_.wall_seconds = std::chrono::duration<double>(Clock::now() - stage_start_).count();
     const std::vector<double> seconds_after = phase_seconds();

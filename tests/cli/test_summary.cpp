@@ -79,6 +79,24 @@ TEST(Summary, AMotionThatDoesNotKeepItsEnergySaysSo) {
   EXPECT_NE(summary(cube(), result, {}).find("time_factor"), std::string::npos);
 }
 
+TEST(Summary, SaysWhichEndsOfStagesAreNoEquilibrium) {
+  const auto says = [](const char* kind, const char* reason, double factor) {
+    RunResult result = one_stage(false);
+    result.stages[0].kind = kind;
+    result.stages[0].stop_reason = reason;
+    result.stages[0].safety_factor = factor;
+    return summary(cube(), result, {}).find("NOT in balance") != std::string::npos;
+  };
+  EXPECT_TRUE(says("static", "step limit", 0));
+  EXPECT_TRUE(says("fracture", "interrupted", 0));
+  EXPECT_TRUE(says("dynamic", "runaway energy", 0));
+  EXPECT_TRUE(says("strength reduction", "falls at the lowest factor", 0));
+  EXPECT_FALSE(says("dynamic", "interrupted", 0));            // a motion needs no balance
+  EXPECT_FALSE(says("thermal transient", "interrupted", 0));  // nor does heat on its way
+  EXPECT_FALSE(says("strength reduction", "stands at the highest factor", 3));
+  EXPECT_FALSE(says("static", "precision limit", 0));  // as near as the numbers go
+}
+
 TEST(ExitCode, InterruptionBeatsConvergenceBeatsExpects) {
   const std::vector<ExpectOutcome> failed{outcome("a", false, "")}, passed{outcome("a", true, "")};
   EXPECT_EQ(exit_code(one_stage(true), passed), 0);

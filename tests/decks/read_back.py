@@ -122,8 +122,8 @@ def read_texts(folder, manifest):
     for history in manifest["histories"]:
         with open(folder / history["file"], newline="", encoding="utf-8") as file:
             header, *rows = csv.reader(file)
-        need(header[:3] == ["stage", "time", "load_factor"] and len(header) > 3, history["file"], "begins with", header)
-        need(all(" [" in column and column.endswith("]") for column in header[3:]), history["file"], "lacks units:", header)
+        need(header[:4] == ["stage", "time", "load_factor", "balanced"] and len(header) > 4, history["file"], "begins with", header)
+        need(all(" [" in column and column.endswith("]") for column in header[4:]), history["file"], "lacks units:", header)
         need(rows, history["file"], "has no rows")
         for row in rows:
             need(len(row) == len(header) and np.isfinite([float(v) for v in row[1:]]).all(), history["file"], "holds", row)

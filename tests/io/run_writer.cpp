@@ -89,7 +89,7 @@ HistoryTable crest() {
   table.name = "crest";
   table.columns = {"displacement.x", "temperature"};
   table.units = {"m", "degC"};
-  table.rows = {{"gravity", 1, 1, {1.0 / 3, 10}}, {"a,\"b\"", 86400, 0.1, {-2.5e-300, -0.0}}};
+  table.rows = {{"gravity", 1, 1, {1.0 / 3, 10}}, {"a,\"b\"", 86400, 0.1, {-2.5e-300, -0.0}, false}};
   return table;
 }
 
@@ -99,11 +99,11 @@ TEST(HistoryFile, numbers_read_back_as_the_same_bits) {
   file.update(crest());
   const auto lines = lines_of(place.file("h.csv"));
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_EQ(lines[0], "stage,time,load_factor,displacement.x [m],temperature [degC]");
+  EXPECT_EQ(lines[0], "stage,time,load_factor,balanced,displacement.x [m],temperature [degC]");
   double x = 0, t = 0;
-  ASSERT_EQ(std::sscanf(lines[1].c_str(), "gravity,1,1,%lf,%lf", &x, &t), 2);
+  ASSERT_EQ(std::sscanf(lines[1].c_str(), "gravity,1,1,1,%lf,%lf", &x, &t), 2);
   EXPECT_EQ(x, 1.0 / 3);
-  EXPECT_EQ(lines[2], "\"a,\"\"b\"\"\",86400,0.1,-2.5e-300,-0");
+  EXPECT_EQ(lines[2], "\"a,\"\"b\"\"\",86400,0.1,0,-2.5e-300,-0");
 }
 
 /// A run of the sample model; what it wrote lies in `folder`.

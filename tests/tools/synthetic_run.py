@@ -57,7 +57,7 @@ def write_grid(path, points, cells, vtk_type, fixed, steps, units):
         for number, (stage, load_factor, fields) in enumerate(steps, 1):
             group = file.create_group(f"Steps/{number:05d}")
             group.attrs.update({"stage": stage, "stage_number": number, "time": float(number),
-                                "load_factor": load_factor, "stage_end": 1})
+                                "load_factor": load_factor, "stage_end": 1, "balanced": 1})
             for name, values in fields.items():
                 group[name] = values
                 place = point_data if len(values) == len(points) else cell_data
@@ -120,8 +120,9 @@ def write_run(folder):
                 for stage in STAGES], units)
 
     (folder / "history_crest.csv").write_text(
-        "stage,time,load_factor,displacement.x [m],displacement.z [m],temperature [degC]\n"
-        "gravity,0,0,0,0,10\ngravity,1,1,0.002,-0.005,10\nsummer,2,1,0.002,-0.005,28\nfracture,4,1,0.004,-0.004,2\n",
+        "stage,time,load_factor,balanced,displacement.x [m],displacement.z [m],temperature [degC]\n"
+        "gravity,0,0,1,0,0,10\ngravity,1,1,1,0.002,-0.005,10\nsummer,2,1,1,0.002,-0.005,28\n"
+        "fracture,4,1,1,0.004,-0.004,2\n",
         encoding="utf-8")
     (folder / "manifest.json").write_text(json.dumps({
         "model": {"name": "synthetic"}, "pictures": [], "histories": [{"name": "crest", "file": "history_crest.csv"}],

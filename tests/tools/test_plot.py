@@ -98,6 +98,33 @@ class Plot(unittest.TestCase):
         with self.assertRaises(pictures.PictureError):
             pictures.component_of("stress", stress)
 
+    def test_a_history_with_one_stage_in_time_is_drawn_over_its_time(self):
+        with tempfile.TemporaryDirectory() as place:
+            folder = pathlib.Path(place) / "shaken.run"
+            write_run(folder)
+            (folder / "history_crest.csv").write_text(
+                "stage,time,load_factor,balanced,seconds [s],velocity.x [m/s]\ngravity,0,0,1,0,0\ngravity,1,1,1,0,0\n"
+                "shake,1.2,1,1,1,2\nshake,1.4,1,1,2,-1\nshake,2,1,0,5,9\n", encoding="utf-8")
+            run = results.Run(folder)
+            table = run.history("crest")
+            self.assertEqual(table.stages_with_a_way, ["shake"])
+            self.assertEqual(list(table.balanced), [True, True, True, True, False])
+            figures = []
+            pictures.drawing.save, save = lambda figure, path: figures.append(figure), pictures.drawing.save
+            try:
+                pictures.history_picture(run, "crest", "")
+                pictures.history_picture(run, "crest", "", "gravity")
+            finally:
+                pictures.drawing.save = save
+                run.file.close()
+            shaken, gravity = (figure.axes[-1] for figure in figures)
+            self.assertEqual(shaken.get_xlabel(), "time [s]")
+            self.assertEqual([list(line.get_xdata()) for line in shaken.lines], [[1, 2], [5]])
+            self.assertEqual(gravity.get_xlabel(), "load factor")
+            self.assertEqual(pictures.along_a_stage(
+                results.History("", [], {}, ["a"] * 2, np.zeros(2), np.ones(2), np.ones(2, bool),
+                                {"seconds": np.array([0, 40 * 86400.0])}), "a")[1], "time [days]")
+
     def test_every_kind_of_picture_is_drawn(self):
         for words in ([], ["--of", "displacement", "--deform", "auto", "--view", "iso"], ["--of", "stress.zz", "--section", "y"],
                       ["--of", "cracks", "--deform", "200"], ["--of", "cracks", "--section", "y=4"],
@@ -114,7 +141,7 @@ class Plot(unittest.TestCase):
                                 (["--stage", "autumn", "--of", "temperature"], "gravity, summer, winter, fracture"),
                                 (["--of", "temperature", "--regions", "damm"], "dam, rock"),
                                 (["--of", "temperature", "--section", "y=40"], "0 to 12 m"),
-                                (["--history", "toe"], "crest"),
+                                (["--history", "toe"], "crest"), (["--history", "crest", "--stage", "toe"], "gravity, summer, fracture"),
                                 (["--of", "temperature", "--profile", "500,0:600,0"], "misses the model")):
             with self.subTest(words):
                 answer = self.plot(*words)

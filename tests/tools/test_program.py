@@ -3,6 +3,7 @@
 
 Called by CTest with the path of the program as the only argument.
 """
+import csv
 import json
 import os
 import pathlib
@@ -14,6 +15,8 @@ import tempfile
 import time
 import unittest
 from xml.etree import ElementTree
+
+import h5py
 
 PROGRAM = pathlib.Path(sys.argv.pop() if len(sys.argv) > 1 else "build/ashlar").resolve()
 
@@ -246,6 +249,27 @@ class Program(unittest.TestCase):
         warmth = [float(row[rows[0].index("temperature [degC]")]) for row in heated]
         self.assertEqual(warmth, sorted(warmth))
         self.assertGreater(warmth[-1], warmth[0])
+
+    def test_the_end_of_a_stage_that_fails_is_marked_and_proves_nothing(self):
+        self.deck("""stage "light" { solve = static { tolerance = 1e-8 } }
+            stage "hopeless" { apply = { traction { surface = "right", z = 1*MPa } },
+              solve = static { max_steps = 3, start = "rest" } }
+            expect "far" { history = "end", component = "displacement.x", stage = "hopeless", between = { -1, 1 } }
+            expect "the way there" { that = function(result)
+              return #result.history("end").values("displacement.x") == 2 and not result.stage("hopeless").balanced end }
+            """)
+        answer = self.ashlar("run", "bar.lua")
+        self.assertEqual(answer.returncode, 3, answer.stderr)
+        self.assertIn("its end is NOT in balance", answer.stdout)
+        self.assertIn("FAILED  far: history 'end': the end of stage 'hopeless' is not in balance", answer.stdout)
+        self.assertIn("ok      the way there", answer.stdout)
+        with open(self.folder / "bar.run/history_end.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["balanced"] for row in rows], ["1", "1", "0"])
+        with h5py.File(self.folder / "bar.run/results.vtkhdf", "r") as file:
+            self.assertEqual([int(step.attrs["balanced"]) for _, step in sorted(file["Steps"].items())], [1, 0])
+        drawn = self.ashlar("plot", "bar.run", "--history", "end")
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
 
     def test_a_folder_is_no_deck(self):
         answer = self.ashlar("check", str(self.folder))

@@ -220,30 +220,57 @@ def crack_note(faces):
             f"{faces.area @ faces.cracked_share:.4g} m\u00b2; widest {1e3 * faces.opening[worst]:.3g} mm at ({at}) m")
 
 
-def history_picture(run, name, path):
-    """One panel per quantity, one line per component, over the stages."""
+def along_a_stage(table, stage):
+    """(places, label) of the rows of one stage: its time or its load factor."""
+    rows = table.rows_of(stage)
+    seconds = table.seconds[rows]
+    if not seconds.any():
+        return table.load_factor[rows], "load factor"
+    for unit, length in (("years", 365.25 * 86400), ("days", 86400), ("h", 3600), ("s", 1)):
+        if seconds.max() > 3 * length or unit == "s":
+            return seconds / length, f"time [{unit}]"
+
+
+def history_picture(run, name, path, stage=""):
+    """One panel per quantity, one line per component: along a stage, the only one with a way unless named, else over
+    all stages."""
     table = run.history(name)
+    if stage and stage not in table.stages:
+        raise PictureError(f"history '{name}' has no row of a stage '{stage}'; stages: "
+                           + ", ".join(dict.fromkeys(table.stages)))
+    if not stage and len(table.stages_with_a_way) == 1:
+        stage = table.stages_with_a_way[0]
+    rows = table.rows_of(stage) if stage else np.ones(len(table.time), bool)
+    places, label = along_a_stage(table, stage) if stage else \
+        (table.time, "stages done, with the fraction of the present one")
+    balanced = table.balanced[rows]
     groups = {}
     for column in table.columns:
-        groups.setdefault(column.partition(".")[0], []).append(column)
+        if column != "seconds":
+            groups.setdefault(column.partition(".")[0], []).append(column)
     figure, panels = drawing.plt.subplots(len(groups), 1, figsize=(8, 1.2 + 2.4 * len(groups)), sharex=True,
                                           squeeze=False, layout="constrained")
     for axes, (field, columns) in zip(panels[:, 0], groups.items()):
         quantity = quantity_of(field)
         for column in columns:
-            axes.plot(table.time, table.values[column] * quantity.factor, "o-", markersize=3, linewidth=1.3,
-                      label=column.partition(".")[2] or field)
+            values = table.values[column][rows] * quantity.factor
+            drawn, = axes.plot(places[balanced], values[balanced], "o-", markersize=3, linewidth=1.3,
+                               label=column.partition(".")[2] or field)
+            axes.plot(places[~balanced], values[~balanced], "x", markersize=8, color=drawn.get_color(),
+                      label="not in balance" if not balanced.all() and column == columns[-1] else None)
         axes.set_ylabel(f"{field} [{quantity.unit or table.units[columns[0]]}]")
         axes.grid(alpha=0.3)
-        if len(columns) > 1:
-            axes.legend(fontsize=8, ncols=3, frameon=False)
-        for end, _ in table.stage_ends:
-            axes.axvline(end, color="0.7", linewidth=0.8)
-    for end, stage in table.stage_ends:
-        panels[0, 0].annotate(stage, (end, 1.0), xycoords=("data", "axes fraction"), xytext=(-3, 3), ha="right",
-                              textcoords="offset points", fontsize=8, color="0.3")
-    panels[-1, 0].set_xlabel("stages done, with the fraction of the present one")
-    figure.suptitle(f"{run.name}: history {name}", fontsize=12, fontweight="bold", x=0.01, ha="left")
+        if len(columns) > 1 or not balanced.all():
+            axes.legend(fontsize=8, ncols=4, frameon=False)
+    if not stage:
+        for end, ended in table.stage_ends:
+            for axes in panels[:, 0]:
+                axes.axvline(end, color="0.7", linewidth=0.8)
+            panels[0, 0].annotate(ended, (end, 1.0), xycoords=("data", "axes fraction"), xytext=(-3, 3), ha="right",
+                                  textcoords="offset points", fontsize=8, color="0.3")
+    panels[-1, 0].set_xlabel(label)
+    figure.suptitle(f"{run.name}: history {name}" + (f", stage {stage}" if stage else ""), fontsize=12,
+                    fontweight="bold", x=0.01, ha="left")
     drawing.save(figure, path)
 
 

@@ -31,10 +31,12 @@ class Output:
     stage: str
     time: float
     load_factor: float
+    balanced: bool            # False: the last state of a stage that failed
 
     @property
     def words(self):
-        return f"stage {self.stage}" + (f" (load factor {self.load_factor:.3g})" if self.load_factor < 1 else "")
+        return (f"stage {self.stage}" + (f" (load factor {self.load_factor:.3g})" if self.load_factor < 1 else "")
+                + ("" if self.balanced else ", NOT in balance"))
 
 
 class Faces(Polygons):
@@ -58,12 +60,28 @@ class History:
     units: dict               # column -> unit
     stages: list              # [rows]
     time: np.ndarray          # [rows]
+    load_factor: np.ndarray   # [rows]
+    balanced: np.ndarray      # [rows] False: the last state of a stage that failed
     values: dict              # column -> [rows]
 
     @property
     def stage_ends(self):
         """(time, stage) of the last row of each stage."""
         return list({stage: (time, stage) for time, stage in zip(self.time, self.stages)}.values())
+
+    @property
+    def seconds(self):
+        """Since the stage began, [rows]; zeros where no stage takes time."""
+        return self.values.get("seconds", np.zeros(len(self.time)))
+
+    def rows_of(self, stage):
+        return np.array([s == stage for s in self.stages])
+
+    @property
+    def stages_with_a_way(self):
+        """Stages that were recorded on their way, not only at their end (the first row of all is the start)."""
+        names = self.stages[1:]
+        return [stage for stage in dict.fromkeys(names) if names.count(stage) > 1]
 
 
 class Run:
@@ -78,7 +96,8 @@ class Run:
             raise ResultsError(f"{folder} is no folder of results: {error}") from error
         self.name = self.manifest["model"]["name"]
         self.mesh = self.read_mesh()
-        self.outputs = [Output(name, text(group.attrs["stage"]), group.attrs["time"], group.attrs["load_factor"])
+        self.outputs = [Output(name, text(group.attrs["stage"]), group.attrs["time"], group.attrs["load_factor"],
+                               bool(group.attrs["balanced"]))
                         for name, group in sorted(self.file["Steps"].items())]
 
     def read_mesh(self):
@@ -124,11 +143,12 @@ class Run:
             head, *rows = csv.reader(file)
         if not rows:
             raise ResultsError(f"history '{name}' has no rows yet")
-        titles = [title.rstrip("]").partition(" [") for title in head[3:]]
+        numbers = np.array([[float(cell) for cell in row[1:]] for row in rows])
+        titles = [title.rstrip("]").partition(" [") for title in head[4:]]
         columns = [title[0] for title in titles]
         return History(name, columns, {title[0]: title[2] for title in titles}, [row[0] for row in rows],
-                       np.array([float(row[1]) for row in rows]),
-                       {column: np.array([float(row[3 + i]) for row in rows]) for i, column in enumerate(columns)})
+                       numbers[:, 0], numbers[:, 1], numbers[:, 2] != 0,
+                       {column: numbers[:, 3 + i] for i, column in enumerate(columns)})
 
     def thermal_stages(self):
         return [s["name"] for s in self.manifest["stages"] if s["kind"].startswith("thermal")]
