@@ -132,10 +132,8 @@ std::vector<NounRule> stage_nouns() {
                 key("large_displacement", Type::flag,
                     "true: blocks move and turn as far as they like, part, fall and meet others. Whatever two regions "
                     "a frictional joint or crackable names touch wherever they meet (blocks of one region as the first "
-                    "joint of that region says): nodes of either on faces of the other, each with half of the "
-                    "stiffness; edges that cross between their nodes are not seen, and a corner that comes in across an edge "
-                    "presses only beyond the depth it has by then, so look at pictures for blocks that lie in each "
-                    "other. Loads keep their direction; stress "
+                    "joint of that region says): nodes of either on faces of the other and sharp edges across each "
+                    "other, each side with half of the stiffness. Loads keep their direction; stress "
                     "is given in axes that turn with the body, and interface results show nothing. Later stages have "
                     "to be of this kind too")
                     .otherwise(0),
