@@ -223,7 +223,7 @@ class Backend {
   /// Paths of loads: the present displacement and slip become the equilibrium to go on from. With `advance` > 0, the
   /// load factor since the last one, the way between the two gives the rate to go on at.
   virtual void keep_equilibrium(double advance) = 0;
-  /// Back to that equilibrium and straight on by `advance` of the load factor, where the rate is known.
+  /// Back to that equilibrium and, unless `advance` of the load factor is 0, straight on at the rate.
   virtual void leave_equilibrium(double advance) = 0;
   /// The present displacement and slip become the end of the way that begins there.
   virtual void keep_way_end() = 0;

@@ -32,7 +32,7 @@ class PathLane {
   }
   void leave(Exec& exec, SummedArray<Exec, Real>& u, Array<Real>& slip, SummedArray<Exec, Real>& kept, double advance) {
     slip.copy(kept_slip);
-    if (rate.size() == 0)
+    if (advance == 0)
       u.copy(kept);
     else
       along(exec, u.size(), u.view(), kept.view(), rate.view(), {}, advance);

@@ -58,7 +58,9 @@ void Fracture::keep(double factor, bool smooth) {
   move_on(factor);
   // In a linear model the search finds the way; it needs no guess.
   const bool bends = plastic_ || cracks_.can_crack() || cracks_.can_separate();
-  problem_.backend->keep_equilibrium(bends && smooth && kept_ ? factor - kept_factor_ : 0);
+  const double advance = bends && smooth && kept_ ? factor - kept_factor_ : 0;
+  problem_.backend->keep_equilibrium(advance);
+  rate_known_ = rate_known_ || advance > 0;
   kept_factor_ = factor;
   kept_ = true;
 }
@@ -161,7 +163,7 @@ bool Fracture::settle(double load_factor) {
 
 /// Equilibrium at `factor`, started on the straight line through the last equilibria between which nothing broke.
 bool Fracture::reach(double factor) {
-  problem_.backend->leave_equilibrium(factor - kept_factor_);
+  problem_.backend->leave_equilibrium(rate_known_ ? factor - kept_factor_ : 0);
   links_.set_load_factor(factor);
   return relax();
 }
@@ -237,6 +239,7 @@ void Fracture::exchange(Exchange& e) {
   e("place.events_before", place_.events_before);
   e("kept.factor", kept_factor_);
   e("kept", kept_);
+  e("rate_known", rate_known_);
   for (const auto& [field, name] : {std::pair{Field::displacement_before, "displacement_before"},
                                     std::pair{Field::kept_slip, "kept_slip"},
                                     std::pair{Field::displacement_rate, "displacement_rate"}})

@@ -86,6 +86,7 @@ class Fracture {
   bool resumed_ = false;      ///< the present place was taken from a checkpoint
   double kept_factor_ = 0;    ///< of the last equilibrium without over-strength, which the backend keeps
   bool kept_ = false;         ///< there is one
+  bool rate_known_ = false;   ///< the backend's rate is of this path
   std::vector<CrackEvent> events_;
   std::vector<int> free_blocks_;
   std::vector<LooseBlocks> loose_;

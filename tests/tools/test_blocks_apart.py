@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Law: bodies do not lie in each other. The start deck of falling blocks is run to its end, where no point of a block's
 edges may be deeper in another block than a thousandth of its side. (A block's weight presses a face in by 5 um; corners
 and edges, on which blocks lean too, bear with an eighth of a face and less.)"""
