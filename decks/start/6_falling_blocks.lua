@@ -19,7 +19,7 @@ gravity { z = -9.81 }
 -- contact_damping: what a bounce loses. Steps of a third keep the energy of impacts better.
 stage "fall" {
   solve = dynamic {
-    duration = 3*s, large_displacement = true, contact_damping = 1e-4*s, record_every = 0.02*s, time_factor = 0.3,
+    duration = 5*s, large_displacement = true, contact_damping = 1e-4*s, record_every = 0.02*s, time_factor = 0.3,
   },
 }
 

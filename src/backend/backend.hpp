@@ -79,7 +79,7 @@ enum class Field : std::uint8_t {
   joined,               ///< [contact points] 1: its sides held each other at the last Backend::loosened_springs
   displacement_before,  ///< [3 * block nodes] m, of the last equilibrium (keep_equilibrium); motions: of the step before
   kept_slip,            ///< [3 * contact points] m, of the last equilibrium
-  displacement_rate,    ///< [3 * block nodes] m per load factor, see keep_equilibrium; empty: not known
+  displacement_rate,    ///< [3 * block nodes] m per load factor, see keep_equilibrium; empty until there was one
   spring_dissipation,   ///< [3 * contact points] J since start_motion: of opening, shear, friction
   load_work,            ///< [block nodes] J since start_motion
   damping_work,         ///< [block nodes] J since start_motion
