@@ -66,8 +66,7 @@ std::vector<NounRule> stage_nouns() {
                 key("max_events", Type::integer, "gives up after so many crack events").otherwise(100000),
                 number("event_group", dimension::none, Range{0.5, 1},
                        "contact points that use at least this share of what the worst one uses of its strength crack "
-                       "with it, in one event; less: fewer events, in large models far fewer, and a coarser order of "
-                       "cracks")
+                       "with it, in one event; less: fewer events and a coarser order of cracks")
                     .otherwise(0.999)} +
            relaxation_keys(),
        .example = R"(stage "fracture" { solve = fracture { from = "summer", to = "winter", increments = 10 } })"},
