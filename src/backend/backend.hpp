@@ -164,13 +164,18 @@ struct NodeGroups {
   std::vector<double> pull;   ///< [groups] 1/kg
 };
 
-/// Aggregates of nodes that move as rigid bodies in the coarse part of the elastic search, machine's numbering.
-struct NodeAggregates {
-  std::vector<int> aggregate;  ///< [block nodes]
-  std::vector<int> first;      ///< [aggregates + 1] into member
-  std::vector<int> member;     ///< [block nodes]
-  std::vector<double> centre;  ///< [3 * aggregates] m
+/// The coarse part of the elastic search: nodes in aggregates, and how these give way, each as a rigid body (three
+/// translations, three rotations about its centre), to resultant forces and moments. Machine's numbering.
+struct CoarseBalance {
+  std::vector<int> aggregate;      ///< [block nodes]
+  std::vector<int> first;          ///< [aggregates + 1] into member
+  std::vector<int> member;         ///< [block nodes]
+  std::vector<double> centre;      ///< [3 * aggregates] m
+  std::vector<double> compliance;  ///< [6 * aggregates squared] symmetric; m, rad per N, N m
+  int count() const { return static_cast<int>(first.size()) - 1; }
 };
+/// Of a coarse part: its compliance is a full matrix, which every iteration reads.
+inline constexpr int most_aggregates = 64;
 
 /// Sums of the elastic search over free components.
 struct BalanceMeasure {
@@ -246,12 +251,8 @@ class Backend {
   virtual MotionMeasure motion_sums(double step_before) = 0;
   /// Every node is by itself until groups are written.
   virtual void write_groups(const NodeGroups& groups) = 0;
-  virtual void write_aggregates(const NodeAggregates& aggregates) = 0;
+  virtual void write_coarse(const CoarseBalance& coarse) = 0;
   virtual BalanceMeasure balance_sums() = 0;
-  /// [6 * aggregates] resultant force and moment of the residual, N and N m.
-  virtual std::vector<double> balance_resultants() = 0;
-  /// Adds rigid movements [6 * aggregates], m and rad, to the preconditioned residual.
-  virtual void add_movements(const std::vector<double>& movement) = 0;
   /// Parts of a field that is linear in a few numbers: load, heat, film, given_velocity or given_temperature is the first
   /// part plus factors times the others. No parts: forgotten, with what was given.
   virtual void write_parts(Field field, const std::vector<std::vector<double>>& parts) = 0;

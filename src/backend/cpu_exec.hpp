@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 #include "backend/machine_memory.hpp"
@@ -35,17 +36,22 @@ struct PackedPoints {
     return with_mean(s, mean);
   }
   Real length(int lane, const Vec3<Real>& normal) const { return length_across(body, batch, element(lane), normal); }
-  bool remembers() const {
-    bool any = false;
-    for (int l = 0; l < used; ++l) any = any || body.remembers[batch.history(first + l, 0)];
-    return any;
-  }
+  bool remembers() const { return marks() & 1; }
+  bool quiet() const { return marks() == 0; }
+  void expect_more() const { body.remembers[batch.history(first, 0)] |= 2; }
   template <class History>
   void read_history(int g, History& h) const {
     if (!remembers()) return;  // h is 0
     for (int c = 0; c < h.size; ++c)
       for (int l = 0; l < lane_count<V>; ++l)
         h[c].lanes[l] = body.history[c * body.history_stride + batch.history(element(l), g)];
+  }
+
+ private:
+  int marks() const {
+    int all = 0;
+    for (int l = 0; l < used; ++l) all |= body.remembers[batch.history(first + l, 0)];
+    return all;
   }
 };
 
@@ -68,7 +74,10 @@ class CpuExec {
       if (!values_.empty()) std::copy(values.begin(), values.end(), values_.begin());
     }
     void download(std::vector<T>& values) const { values = values_; }
-    void copy(const Array& other) { values_ = other.values_; }
+    void copy(const Array& other) {
+      if (other.size_ != size_) throw std::logic_error("copy of another size");
+      values_ = other.values_;
+    }
     std::size_t size() const { return size_; }
     T* data() { return values_.data(); }
 

@@ -141,8 +141,7 @@ class Phases final : public Backend {
       case Phase::advance_search: return heat_.advance_search(exec_, controls.search_length);
       case Phase::turn_search: return heat_.turn_search(exec_, controls.search_keep);
       case Phase::balance_residual: return exec_.for_each(node_count(), BalanceResidual<Real>{balance_view()});
-      case Phase::balance_precondition:
-        return exec_.for_each(groups_.group_count, BalancePrecondition<Real>{balance_view()});
+      case Phase::balance_precondition: return balance_.precondition(exec_, balance_view());
       case Phase::balance_turn:
         return exec_.for_each(node_count(), BalanceTurn<Real>{balance_view(), Real(controls.search_keep)});
       case Phase::balance_product: return balance_product();
@@ -259,15 +258,11 @@ class Phases final : public Backend {
                .shared = group_shared_.data()};
     if (before.group_count != groups_.group_count) regrouped();
   }
-  void write_aggregates(const NodeAggregates& aggregates) override {
-    balance_.write_aggregates(aggregates, discretisation_.block_points);
+  void write_coarse(const CoarseBalance& coarse) override {
+    balance_.write(coarse, discretisation_.block_points);
     no_slip_.resize(springs_.slip.size());
   }
   BalanceMeasure balance_sums() override { return balance_.sums(exec_, balance_view()); }
-  std::vector<double> balance_resultants() override { return balance_.resultants(exec_, balance_view()); }
-  void add_movements(const std::vector<double>& movement) override {
-    balance_.prolong(exec_, balance_view(), movement);
-  }
   HeatMeasure heat_sums() override { return heat_.sums(exec_); }
   MotionMeasure motion_sums(double step_before) override {
     if (!large_) return motion_.sums(exec_, body_, step_before);
@@ -383,9 +378,8 @@ class Phases final : public Backend {
     const std::size_t nodes = setup.discretisation.blocks.node_count, contacts = setup.contacts.count(),
                       vector = 3 * nodes * sizeof(Real);
     const std::size_t groups = contacts > 0 ? vector + nodes * (sizeof(Real) + 3 * sizeof(int)) + sizeof(int) : 0;
-    const std::size_t search = 5 * vector + 2 * nodes * sizeof(int) + 3 * contacts * sizeof(Real) +
-                               setup.discretisation.patch_count() * (rigid_modes * sizeof(double) + sizeof(int)) +
-                               sizeof(int);
+    const std::size_t search = 3 * contacts * sizeof(Real) +
+                               BalanceLane<Exec, Real>::bytes(nodes, std::min(most_aggregates, setup.discretisation.patch_count()));
     const std::size_t motion = setup.motion ? vector + (2 * nodes + 3 * contacts) * sizeof(double) : 0;
     const auto any = [](const auto& all, auto what) { return std::any_of(all.begin(), all.end(), what); };
     const bool cracks = contacts > 0 && any(setup.interface_laws, [](const auto& law) { return law.breakable; });

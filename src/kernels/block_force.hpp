@@ -113,7 +113,8 @@ ASHLAR_HD_CALL void remembering_force(const Point& law, const Read& read, const 
 }
 
 /// Corner forces of one element whose corners `read(x, u)` reads. One that remembers nothing is taken for elastic
-/// first, with few numbers at hand; where that is not so it begins again.
+/// first, with few numbers at hand; where that is not so it begins again, and next time (until histories move on) with
+/// that.
 template <template <class> class Element, bool Warm, class V, class Point, class Points, class Read>
 ASHLAR_HD void read_element_force(const Point& law, const Read& read, const Points& points,
                                   V (&f)[3][Element<V>::corners]) {
@@ -124,11 +125,12 @@ ASHLAR_HD void read_element_force(const Point& law, const Read& read, const Poin
     read(x, u);
     element_force<Element, Warm>(law, x, u, points, f);
   } else {
-    if (!points.remembers()) {
+    if (points.quiet()) {
       read(x, u);
       QuietStress<Element<V>, V, Point, Points> stress(law, points);
       Element<V>::force(x, u, f, stress);
       if (!stress.yields) return;
+      points.expect_more();
     }
     V again[3][corners];  // what a call writes lies in memory: f need not
     remembering_force<Element>(law, read, points, again);
@@ -161,7 +163,7 @@ struct FindMemory {
     bool any = false;
     for (int c = 0; c < history_size; ++c)
       for (int g = 0; g < gauss_points; ++g) any |= body.history[c * body.history_stride + batch.history(i, g)] != Real(0);
-    remembers[batch.history(i, 0)] = any;
+    remembers[batch.history(i, 0)] = any ? 1 : 0;
   }
 };
 
@@ -181,7 +183,9 @@ struct StoredPoints {
   int element;
   ASHLAR_HD Real length(int, const Vec3<Real>& normal) const { return length_across(body, batch, element, normal); }
   ASHLAR_HD Real warming(int g) const { return body.warming[batch.gauss(element, g)]; }
-  ASHLAR_HD bool remembers() const { return body.remembers[batch.history(element, 0)]; }
+  ASHLAR_HD bool remembers() const { return body.remembers[batch.history(element, 0)] & 1; }
+  ASHLAR_HD bool quiet() const { return body.remembers[batch.history(element, 0)] == 0; }
+  ASHLAR_HD void expect_more() const { body.remembers[batch.history(element, 0)] = 2; }
   ASHLAR_HD Real averaged(int g) const { return body.averaged[batch.gauss(element, g)]; }
   ASHLAR_HD Sym3<Real> averaged_stress(int g) const {
     Sym3<Real> s;

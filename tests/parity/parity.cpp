@@ -212,6 +212,7 @@ std::vector<double> walk(Backend& b) {
     all.insert(all.end(), u.begin(), u.end());
     all.push_back(b.moved_since_equilibrium());
   };
+  b.keep_equilibrium(0);
   b.write(Field::displacement_before, std::vector<double>(b.size(Field::displacement_before)));
   b.keep_way_end();
   b.go_part_of_way(0.3);
