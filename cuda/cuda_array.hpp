@@ -1,4 +1,5 @@
 #pragma once
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,8 @@ class CudaArray {
   }
   /// From an array of this size, on this device or on another, whose stream has nothing left to do.
   void copy(const CudaArray& other) {
+    if (other.size_ != size_) throw std::logic_error("copy of another size");
+    if (size_ == 0) return;
     int here = 0;
     cudaPointerAttributes there{};
     check(cudaGetDevice(&here), "ask for the device");

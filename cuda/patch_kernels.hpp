@@ -18,11 +18,10 @@ namespace ashlar {
 struct PatchGroup {
   int threads, per_processor;
 };
-/// `light`: no law with memory.
 template <class Real>
-constexpr PatchGroup stress_group(int corners, bool light) {
+constexpr PatchGroup stress_group(int corners) {
   if (sizeof(Real) == 4) return {128, 4};
-  return {!light || corners == 8 ? 128 : corners == 6 ? 192 : 256, 2};
+  return {corners == 8 ? 128 : corners == 6 ? 192 : 256, 2};
 }
 template <class Real>
 inline constexpr PatchGroup heat_group{128, sizeof(Real) == 4 ? 6 : 4};
@@ -32,7 +31,7 @@ template <template <class> class Element, bool Warm, class Point, class Real_>
 struct StressPatch {
   using Real = Real_;
   static constexpr int corners = Element<Real>::corners, width = 3;
-  static constexpr PatchGroup group = stress_group<Real>(corners, Point::history_size == 0);
+  static constexpr PatchGroup group = stress_group<Real>(corners);
   BodyView<Real> body;
   BatchView batch;
   Point law;
@@ -41,9 +40,9 @@ struct StressPatch {
   __device__ const Real* places() const { return body.x; }
   __device__ const Summed<Real>& values() const { return body.u; }
   __device__ Real* partial() const { return body.partial; }
-  __device__ void operator()(int element, const Real (&x)[3][corners], const Real (&u)[width][corners],
-                             Real (&f)[width][corners]) const {
-    element_force<Element, Warm>(law, x, u, StoredPoints<Real>{body, batch, element}, f);
+  template <class Read>
+  __device__ void operator()(int element, const Read& read, Real (&f)[width][corners]) const {
+    read_element_force<Element, Warm, Real>(law, read, StoredPoints<Real>{body, batch, element}, f);
   }
 };
 
@@ -62,8 +61,10 @@ struct HeatPatch {
   __device__ const Real* places() const { return heat.x; }
   __device__ const Summed<Real>& values() const { return field; }
   __device__ Real* partial() const { return heat.partial; }
-  __device__ void operator()(int, const Real (&x)[3][corners], const Real (&temperature)[width][corners],
-                             Real (&flow)[width][corners]) const {
+  template <class Read>
+  __device__ void operator()(int, const Read& read, Real (&flow)[width][corners]) const {
+    Real x[3][corners], temperature[width][corners];
+    read(x, temperature);
     heat_flow<Element<Real>>(x, temperature[0], conductivity, flow[0]);
   }
 };
@@ -156,6 +157,23 @@ struct StagedValues {
   }
 };
 
+/// Reads the corners of one element of a patch.
+template <class Real, int corners, int width>
+struct StagedCorners {
+  const Real* place;
+  StagedValues<Real> value;
+  CornerEntries<corners> entry;
+  __device__ __forceinline__ void operator()(Real (&x)[3][corners], Real (&u)[width][corners]) const {
+    ASHLAR_UNROLL
+    for (int k = 0; k < corners; ++k) {
+      ASHLAR_UNROLL
+      for (int c = 0; c < 3; ++c) x[c][k] = place[3 * entry[k] + c];
+      ASHLAR_UNROLL
+      for (int c = 0; c < width; ++c) u[c][k] = relative(value[width * entry[k] + c], value[width * entry[0] + c]);
+    }
+  }
+};
+
 /// Asks for what the steps of nodes first .. first + count will read.
 template <class Real>
 __device__ void prefetch_step(const StoreSum<Real>&, int, int) {}
@@ -237,15 +255,8 @@ struct PatchMemory {
     for (int i = threadIdx.x; i < head.elements; i += threads) {
       const CornerEntries<corners> entry = next;
       if (i + threads < head.elements) next = entries_of(work, head, i + threads);
-      Real x[3][corners], u[width][corners], f[width][corners];
-      ASHLAR_UNROLL
-      for (int k = 0; k < corners; ++k) {
-        ASHLAR_UNROLL
-        for (int c = 0; c < 3; ++c) x[c][k] = place[3 * entry[k] + c];
-        ASHLAR_UNROLL
-        for (int c = 0; c < width; ++c) u[c][k] = relative(value[width * entry[k] + c], value[width * entry[0] + c]);
-      }
-      work(head.first_element + i, x, u, f);
+      Real f[width][corners];
+      work(head.first_element + i, StagedCorners<Real, corners, width>{place, value, entry}, f);
       ASHLAR_UNROLL
       for (int k = 0; k < corners; ++k) {
         ASHLAR_UNROLL
@@ -260,8 +271,8 @@ struct PatchMemory {
 /// early.
 template <class Work, class NodeStep>
 __global__ void __launch_bounds__(Work::group.threads, Work::group.per_processor)
-    run_patch(const Work work, const PatchListsView lists, const int first_patch, const int ahead, const int capacity,
-              const NodeStep step) {
+    run_patch(const __grid_constant__ Work work, const PatchListsView lists, const int first_patch, const int ahead,
+              const int capacity, const NodeStep step) {
   using Real = typename Work::Real;
   constexpr int width = Work::width, threads = Work::group.threads;
   extern __shared__ __align__(16) unsigned char shared[];

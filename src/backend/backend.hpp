@@ -77,7 +77,9 @@ enum class Field : std::uint8_t {
   crack_water,          ///< [contact points] Pa, pressure where they are open; empty: all is dry
   contact_damage,       ///< [contact points] broken share of a bond that softens; empty: nothing softens
   joined,               ///< [contact points] 1: its sides held each other at the last Backend::loosened_springs
-  displacement_before,  ///< [3 * block nodes] m, start of the way that spring_crossing looks at
+  displacement_before,  ///< [3 * block nodes] m, of the last equilibrium (keep_equilibrium); motions: of the step before
+  kept_slip,            ///< [3 * contact points] m, of the last equilibrium
+  displacement_rate,    ///< [3 * block nodes] m per load factor, see keep_equilibrium; empty until there was one
   spring_dissipation,   ///< [3 * contact points] J since start_motion: of opening, shear, friction
   load_work,            ///< [block nodes] J since start_motion
   damping_work,         ///< [block nodes] J since start_motion
@@ -162,13 +164,18 @@ struct NodeGroups {
   std::vector<double> pull;   ///< [groups] 1/kg
 };
 
-/// Aggregates of nodes that move as rigid bodies in the coarse part of the elastic search, machine's numbering.
-struct NodeAggregates {
-  std::vector<int> aggregate;  ///< [block nodes]
-  std::vector<int> first;      ///< [aggregates + 1] into member
-  std::vector<int> member;     ///< [block nodes]
-  std::vector<double> centre;  ///< [3 * aggregates] m
+/// The coarse part of the elastic search: nodes in aggregates, and how these give way, each as a rigid body (three
+/// translations, three rotations about its centre), to resultant forces and moments. Machine's numbering.
+struct CoarseBalance {
+  std::vector<int> aggregate;      ///< [block nodes]
+  std::vector<int> first;          ///< [aggregates + 1] into member
+  std::vector<int> member;         ///< [block nodes]
+  std::vector<double> centre;      ///< [3 * aggregates] m
+  std::vector<double> compliance;  ///< [6 * aggregates squared] symmetric; m, rad per N, N m
+  int count() const { return static_cast<int>(first.size()) - 1; }
 };
+/// Of a coarse part: its compliance is a full matrix, which every iteration reads.
+inline constexpr int most_aggregates = 64;
 
 /// Sums of the elastic search over free components.
 struct BalanceMeasure {
@@ -218,8 +225,19 @@ class Backend {
   virtual HeatMeasure heat_sums() = 0;
   /// Share of its strength that the worst contact point uses; not above 0 where nothing can break.
   virtual double largest_utilisation() = 0;
-  /// Fraction of the way from Field::displacement_before to now at which a contact point first uses its strength; above
-  /// 1: none does.
+  /// Paths of loads: the present displacement and slip become the equilibrium to go on from. With `advance` > 0, the
+  /// load factor since the last one, the way between the two gives the rate to go on at.
+  virtual void keep_equilibrium(double advance) = 0;
+  /// Back to that equilibrium and, unless `advance` of the load factor is 0, straight on at the rate.
+  virtual void leave_equilibrium(double advance) = 0;
+  /// The present displacement and slip become the end of the way that begins there.
+  virtual void keep_way_end() = 0;
+  /// To a fraction of that way, with the slip of its beginning.
+  virtual void go_part_of_way(double fraction) = 0;
+  virtual void go_to_way_end() = 0;
+  /// Largest component of displacement since that equilibrium, m.
+  virtual double moved_since_equilibrium() = 0;
+  /// Fraction of that way at which a contact point first uses its strength; above 1: none does.
   virtual double first_crossing() = 0;
   /// Cracks all contact points that use at least `share` of what the worst one uses, which is `most`.
   virtual CrackMeasure break_springs(double most, double share) = 0;
@@ -233,12 +251,8 @@ class Backend {
   virtual MotionMeasure motion_sums(double step_before) = 0;
   /// Every node is by itself until groups are written.
   virtual void write_groups(const NodeGroups& groups) = 0;
-  virtual void write_aggregates(const NodeAggregates& aggregates) = 0;
+  virtual void write_coarse(const CoarseBalance& coarse) = 0;
   virtual BalanceMeasure balance_sums() = 0;
-  /// [6 * aggregates] resultant force and moment of the residual, N and N m.
-  virtual std::vector<double> balance_resultants() = 0;
-  /// Adds rigid movements [6 * aggregates], m and rad, to the preconditioned residual.
-  virtual void add_movements(const std::vector<double>& movement) = 0;
   /// Parts of a field that is linear in a few numbers: load, heat, film, given_velocity or given_temperature is the first
   /// part plus factors times the others. No parts: forgotten, with what was given.
   virtual void write_parts(Field field, const std::vector<std::vector<double>>& parts) = 0;

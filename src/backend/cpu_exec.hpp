@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 #include "backend/machine_memory.hpp"
@@ -35,14 +36,22 @@ struct PackedPoints {
     return with_mean(s, mean);
   }
   Real length(int lane, const Vec3<Real>& normal) const { return length_across(body, batch, element(lane), normal); }
+  bool remembers() const { return marks() & 1; }
+  bool quiet() const { return marks() == 0; }
+  void expect_more() const { body.remembers[batch.history(first, 0)] |= 2; }
   template <class History>
   void read_history(int g, History& h) const {
-    bool any = false;
-    for (int l = 0; l < used; ++l) any = any || body.remembers[batch.history(first + l, 0)];
-    if (!any) return;  // h is 0
+    if (!remembers()) return;  // h is 0
     for (int c = 0; c < h.size; ++c)
       for (int l = 0; l < lane_count<V>; ++l)
         h[c].lanes[l] = body.history[c * body.history_stride + batch.history(element(l), g)];
+  }
+
+ private:
+  int marks() const {
+    int all = 0;
+    for (int l = 0; l < used; ++l) all |= body.remembers[batch.history(first + l, 0)];
+    return all;
   }
 };
 
@@ -65,7 +74,10 @@ class CpuExec {
       if (!values_.empty()) std::copy(values.begin(), values.end(), values_.begin());
     }
     void download(std::vector<T>& values) const { values = values_; }
-    void copy(const Array& other) { values_ = other.values_; }
+    void copy(const Array& other) {
+      if (other.size_ != size_) throw std::logic_error("copy of another size");
+      values_ = other.values_;
+    }
     std::size_t size() const { return size_; }
     T* data() { return values_.data(); }
 
@@ -183,18 +195,20 @@ class CpuExec {
 
     for (int i = first; i < last; i += width) {
       const int used = std::min(width, last - i);
-      V x[3][corners], u[3][corners], f[3][corners];
-      for (int k = 0; k < corners; ++k)
-        for (int lane = 0; lane < width; ++lane) {
-          const int element = i + std::min(lane, used - 1);
-          const Real* at = place + stride * nodes.corner_entry[batch.slot(element, corners, k)];
-          const Real* base = place + stride * nodes.corner_entry[batch.slot(element, corners, 0)];
-          for (int c = 0; c < 3; ++c) {
-            x[c][k].lanes[lane] = at[c];
-            u[c][k].lanes[lane] = relative(moved_at<Real>(at, c), moved_at<Real>(base, c));
+      const auto read = [&](V(&x)[3][corners], V(&u)[3][corners]) {
+        for (int k = 0; k < corners; ++k)
+          for (int lane = 0; lane < width; ++lane) {
+            const int element = i + std::min(lane, used - 1);
+            const Real* at = place + stride * nodes.corner_entry[batch.slot(element, corners, k)];
+            const Real* base = place + stride * nodes.corner_entry[batch.slot(element, corners, 0)];
+            for (int c = 0; c < 3; ++c) {
+              x[c][k].lanes[lane] = at[c];
+              u[c][k].lanes[lane] = relative(moved_at<Real>(at, c), moved_at<Real>(base, c));
+            }
           }
-        }
-      element_force<Element, Warm>(law, x, u, PackedPoints<V, Real>{body, batch, i, used}, f);
+      };
+      V f[3][corners];
+      read_element_force<Element, Warm, V>(law, read, PackedPoints<V, Real>{body, batch, i, used}, f);
       for (int lane = 0; lane < used; ++lane)
         for (int k = 0; k < corners; ++k) {
           Real* at = sum + 4 * nodes.corner_entry[batch.slot(i + lane, corners, k)];

@@ -20,15 +20,18 @@ class MovingContacts {
     std::vector<Real> x;
     for (const Vec3<double>& p : setup.discretisation.block_points)
       x.insert(x.end(), {Real(p.x), Real(p.y), Real(p.z)});
-    const auto probes = static_cast<std::size_t>(s.probe_count());
+    const auto probes = static_cast<std::size_t>(s.probe_count() + s.edge_count());
     std::vector<Real> fresh(probe_numbers * probes);
-    for (std::size_t p = 0; p < probes; ++p) fresh[probe_numbers * p] = ProbeMemory<Real>{}.triangle;
+    for (std::size_t p = 0; p < probes; ++p) fresh[probe_numbers * p] = ProbeMemory<Real>{}.target;
     x_.assign(x);
     probe_node_.assign(probes_ = s.probe_node);
     corner_.assign(corners_ = s.corner);
+    edge_.assign(edges_ = s.edge);
+    edge_goes_on_.assign(s.edge_goes_on);
     laws_.assign(laws);
     active_.resize(probes);
-    for (auto* vectors : {&weight_, &force_, &resisting_}) vectors->resize(3 * probes);
+    weight_.resize(contact_nodes * probes);
+    for (auto* vectors : {&force_, &resisting_}) vectors->resize(3 * probes);
     stored_.resize(probes);
     lost.resize(probes);
     memory.assign(fresh);
@@ -41,11 +44,18 @@ class MovingContacts {
       int probe, candidate, corner;
     };
     std::vector<std::vector<Entry>> of_node(displacement.size() / 3);
-    for (int p = 0; p < static_cast<int>(probes_.size()); ++p) {
-      if (c.first[p] < c.first[p + 1]) of_node[probes_[p]].push_back({p, -1, 0});
-      for (int j = c.first[p]; j < c.first[p + 1]; ++j)
-        for (int k = 0; k < 3; ++k) of_node[corners_[3 * c.triangle[j] + k]].push_back({p, j, k});
-    }
+    const int corners = static_cast<int>(probes_.size()), probes = static_cast<int>(c.first.size()) - 1;
+    for (int p = 0; p < probes; ++p)
+      for (int j = c.first[p]; j < c.first[p + 1]; ++j) {
+        const int targets = p < corners ? 3 : 2;  // the others are the probe's own
+        int at[contact_nodes];
+        if (p < corners)
+          nodes_of_contact(probes_[p], &corners_[3 * c.target[j]], at);
+        else
+          nodes_of_crossing(&edges_[4 * (p - corners)], &edges_[4 * c.target[j]], at);
+        for (int k = 0; k < contact_nodes; ++k)
+          if (k < targets || j == c.first[p]) of_node[at[k]].push_back({p, k < targets ? j : -1, k});
+      }
     std::vector<int> node, first{0}, probe, candidate, corner;
     for (int n = 0; n < static_cast<int>(of_node.size()); ++n) {
       if (of_node[n].empty()) continue;
@@ -58,7 +68,7 @@ class MovingContacts {
       first.push_back(static_cast<int>(probe.size()));
     }
     first_.assign(c.first);
-    triangle_.assign(c.triangle);
+    target_.assign(c.target);
     law_.assign(c.law);
     area_.assign(std::vector<Real>(c.area.begin(), c.area.end()));
     node_.assign(node);
@@ -67,14 +77,17 @@ class MovingContacts {
     entry_candidate_.assign(candidate);
     entry_corner_.assign(corner);
     static_assert(sizeof(ProbeMemory<Real>) == probe_numbers * sizeof(Real));
-    view_ = {.probe_count = static_cast<int>(probes_.size()),
+    view_ = {.probe_count = probes,
              .node_count = static_cast<int>(node.size()),
+             .first_edge = corners,
              .x = x_.data(),
              .probe_node = probe_node_.data(),
              .corner = corner_.data(),
+             .edge = edge_.data(),
+             .edge_goes_on = edge_goes_on_.data(),
              .laws = laws_.data(),
              .first = first_.data(),
-             .triangle = triangle_.data(),
+             .target = target_.data(),
              .law = law_.data(),
              .area = area_.data(),
              .reach = reach_,
@@ -105,16 +118,16 @@ class MovingContacts {
   }
   bool moved_far(Exec& exec, const BodyView<Real>& body, double limit, double ahead) {
     if (view_.probe_count == 0) return false;
-    return exec.template combine<1>(view_.probe_count, MovedFar<Real>{probe_node_.data(), body.u, searched_.data(), body.v,
-                                                                  Real(ahead), Real(limit)})[0] > 0;
+    return exec.template combine<1>(view_.first_edge, MovedFar<Real>{probe_node_.data(), body.u, searched_.data(),
+                                                                     body.v, Real(ahead), Real(limit)})[0] > 0;
   }
 
  private:
   template <class T>
   using Array = typename Exec::template Array<T>;
-  std::vector<int> probes_, corners_;
-  Array<int> probe_node_, corner_, active_, first_, triangle_, law_, node_, node_first_, entry_probe_,
-      entry_candidate_, entry_corner_;
+  std::vector<int> probes_, corners_, edges_;
+  Array<int> probe_node_, corner_, edge_, edge_goes_on_, active_, first_, target_, law_, node_, node_first_,
+      entry_probe_, entry_candidate_, entry_corner_;
   Array<Real> x_, area_, weight_, force_, resisting_, searched_;
   Array<MovingLaw<Real>> laws_;
   Array<double> stored_;

@@ -35,6 +35,8 @@ struct Pack {
     for (int i = 0; i < width; ++i) r.lanes[i] = root(a.lanes[i]);
     return r;
   }
+  friend ASHLAR_HD Pack normal_root(Pack a) { return root(a); }
+  friend ASHLAR_HD Pack if_less(Pack a, Pack b, Pack x, Pack y) { return Pack(a.lanes < b.lanes ? x.lanes : y.lanes); }
   friend ASHLAR_HD T lane(Pack a, int i) { return a.lanes[i]; }
   friend ASHLAR_HD void set_lane(Pack& a, int i, T value) { a.lanes[i] = value; }
 };

@@ -16,6 +16,7 @@
 #include "backend/machine_memory.hpp"
 #include "backend/motion_lane.hpp"
 #include "backend/moving_contacts.hpp"
+#include "backend/path_lane.hpp"
 #include "backend/node_set.hpp"
 #include "backend/parted_field.hpp"
 #include "backend/springs.hpp"
@@ -127,7 +128,7 @@ class Phases final : public Backend {
         });
         return find_memory();
       case Phase::spring_utilisation: return cracks_.find_worst(exec_, body_.u);
-      case Phase::spring_crossing: return cracks_.find_crossing(exec_, u_before_.view(), body_.u);
+      case Phase::spring_crossing: return cracks_.find_crossing(exec_, u_before_.view(), path_.end());
       case Phase::break_springs: return cracks_.break_at(exec_, body_.u, controls.break_threshold);
       case Phase::keep_springs: return cracks_.keep(exec_, body_.u);
       case Phase::look_at_springs: return cracks_.look(exec_, body_.u);
@@ -140,8 +141,7 @@ class Phases final : public Backend {
       case Phase::advance_search: return heat_.advance_search(exec_, controls.search_length);
       case Phase::turn_search: return heat_.turn_search(exec_, controls.search_keep);
       case Phase::balance_residual: return exec_.for_each(node_count(), BalanceResidual<Real>{balance_view()});
-      case Phase::balance_precondition:
-        return exec_.for_each(groups_.group_count, BalancePrecondition<Real>{balance_view()});
+      case Phase::balance_precondition: return balance_.precondition(exec_, balance_view());
       case Phase::balance_turn:
         return exec_.for_each(node_count(), BalanceTurn<Real>{balance_view(), Real(controls.search_keep)});
       case Phase::balance_product: return balance_product();
@@ -210,6 +210,12 @@ class Phases final : public Backend {
     run(Phase::spring_utilisation);
     return cracks_.largest;
   }
+  void keep_equilibrium(double advance) override { path_.keep(exec_, u_, springs_.slip, u_before_, advance); }
+  void leave_equilibrium(double advance) override { path_.leave(exec_, u_, springs_.slip, u_before_, advance); }
+  void keep_way_end() override { path_.keep_end(u_, springs_.slip); }
+  void go_part_of_way(double fraction) override { path_.go_part(exec_, u_, springs_.slip, u_before_, fraction); }
+  void go_to_way_end() override { path_.go_to_end(u_, springs_.slip); }
+  double moved_since_equilibrium() override { return path_.largest_change(exec_, u_, u_before_); }
   double first_crossing() override {
     run(Phase::spring_crossing);
     return -cracks_.largest;
@@ -252,15 +258,11 @@ class Phases final : public Backend {
                .shared = group_shared_.data()};
     if (before.group_count != groups_.group_count) regrouped();
   }
-  void write_aggregates(const NodeAggregates& aggregates) override {
-    balance_.write_aggregates(aggregates, discretisation_.block_points);
+  void write_coarse(const CoarseBalance& coarse) override {
+    balance_.write(coarse, discretisation_.block_points);
     no_slip_.resize(springs_.slip.size());
   }
   BalanceMeasure balance_sums() override { return balance_.sums(exec_, balance_view()); }
-  std::vector<double> balance_resultants() override { return balance_.resultants(exec_, balance_view()); }
-  void add_movements(const std::vector<double>& movement) override {
-    balance_.prolong(exec_, balance_view(), movement);
-  }
   HeatMeasure heat_sums() override { return heat_.sums(exec_); }
   MotionMeasure motion_sums(double step_before) override {
     if (!large_) return motion_.sums(exec_, body_, step_before);
@@ -309,6 +311,7 @@ class Phases final : public Backend {
     });
   }
   void restore(Field field, std::span<const double> values) override {
+    if (field == Field::displacement_rate) path_.rate.resize(values.empty() ? 0 : u_.size());
     visit_field(*this, field, [&](auto& array) {
       if constexpr (requires { array.save(); })
         array.restore(values);
@@ -369,17 +372,22 @@ class Phases final : public Backend {
     find_averages();
   }
   BalanceView<Real> balance_view() { return balance_.view(body_, groups_); }
-  /// What stages add at most: groups, elastic search, motion.
+  /// What stages add at most: groups, elastic search, motion, paths of loads.
   static std::size_t stage_bytes(const Setup& setup) {
     if (setup.heat_only) return 0;
     const std::size_t nodes = setup.discretisation.blocks.node_count, contacts = setup.contacts.count(),
                       vector = 3 * nodes * sizeof(Real);
     const std::size_t groups = contacts > 0 ? vector + nodes * (sizeof(Real) + 3 * sizeof(int)) + sizeof(int) : 0;
-    const std::size_t search = 5 * vector + 2 * nodes * sizeof(int) + 3 * contacts * sizeof(Real) +
-                               setup.discretisation.patch_count() * (rigid_modes * sizeof(double) + sizeof(int)) +
-                               sizeof(int);
+    const std::size_t search = 3 * contacts * sizeof(Real) +
+                               BalanceLane<Exec, Real>::bytes(nodes, std::min(most_aggregates, setup.discretisation.patch_count()));
     const std::size_t motion = setup.motion ? vector + (2 * nodes + 3 * contacts) * sizeof(double) : 0;
-    return groups + search + motion;
+    const auto any = [](const auto& all, auto what) { return std::any_of(all.begin(), all.end(), what); };
+    const bool cracks = contacts > 0 && any(setup.interface_laws, [](const auto& law) { return law.breakable; });
+    const bool bends = (contacts > 0 && any(setup.interface_laws, [](const auto& law) { return law.separates(); })) ||
+                       any(setup.laws, [](const auto& law) { return history_size(law) > 0; });
+    const std::size_t path = (bends + cracks) * (Summed<Real>::paired ? 2 : 1) * vector +
+                             (1 + cracks) * 3 * contacts * sizeof(Real);
+    return groups + search + motion + path;
   }
   int node_count() const { return body_.nodes.node_count; }
   int contact_count() const { return springs_.pairs().contact_count + springs_.overlaps().contact_count; }
@@ -701,6 +709,8 @@ class Phases final : public Backend {
       case Field::contact_damage: return visit(self.springs_.damage);
       case Field::joined: return visit(self.springs_.joined);
       case Field::displacement_before: return visit(self.u_before_);
+      case Field::kept_slip: return visit(self.path_.kept_slip);
+      case Field::displacement_rate: return visit(self.path_.rate);
       case Field::spring_dissipation: return visit(self.motion_.spring_dissipation);
       case Field::load_work: return visit(self.motion_.load_work);
       case Field::damping_work: return visit(self.motion_.damping_work);
@@ -743,6 +753,7 @@ class Phases final : public Backend {
   NodeSet<Exec> blocks_;
   Springs<Exec, Real> springs_;
   CrackLane<Exec, Real> cracks_{springs_};
+  PathLane<Exec, Real> path_;
   MovingContacts<Exec, Real> moving_contacts_;
   BalanceLane<Exec, Real> balance_;
   Array<StepDamping<Real>> damping_;

@@ -38,13 +38,59 @@ ASHLAR_HD float reciprocal(float a) {
 #endif
 }
 
+/// sqrt(a) of a between 1e-28 (1e-280 in double) and 1e28, correctly rounded. Devices take the compiler's own steps
+/// without the branch it puts before them for other numbers.
+ASHLAR_HD double normal_root(double a) {
+#ifdef __CUDA_ARCH__
+  double r;
+  asm("rsqrt.approx.ftz.f64 %0, %1;" : "=d"(r) : "d"(a));
+  const double e = ::fma(r * r, -a, 1.0);
+  r = ::fma(::fma(e, 0.375, 0.5), r * e, r);
+  const double g = a * r;
+  return ::fma(::fma(g, -g, a), 0.5 * r, g);
+#else
+  return ::sqrt(a);
+#endif
+}
+ASHLAR_HD float normal_root(float a) {
+#ifdef __CUDA_ARCH__
+  float r;
+  asm("rsqrt.approx.ftz.f32 %0, %1;" : "=f"(r) : "f"(a));
+  const float g = a * r;
+  return ::fmaf(::fmaf(-g, g, a), 0.5f * r, g);
+#else
+  return ::sqrtf(a);
+#endif
+}
+template <class T>
+inline constexpr T least_square = sizeof(T) == 4 ? T(1e-28f) : T(1e-280);
+
+/// Keeps a device's compiler from keeping, instead of working out again, what it has worked out from `a`: registers are
+/// dearer than arithmetic there.
+template <class V>
+ASHLAR_HD void forget(V& a) {
+#ifdef __CUDA_ARCH__
+  if constexpr (sizeof(V) == 8)
+    asm volatile("" : "+d"(a));
+  else
+    asm volatile("" : "+f"(a));
+#else
+  (void)a;
+#endif
+}
+
+/// a < b ? x : y, lane by lane.
+template <class T>
+ASHLAR_HD T if_less(T a, T b, T x, T y) {
+  return a < b ? x : y;
+}
 template <class T>
 ASHLAR_HD T larger(T a, T b) {
-  return a < b ? b : a;
+  return if_less(a, b, b, a);
 }
 template <class T>
 ASHLAR_HD T smaller(T a, T b) {
-  return b < a ? b : a;
+  return if_less(b, a, b, a);
 }
 
 /// The scalar behind a number type: float for float, double for double; packs specialise it.

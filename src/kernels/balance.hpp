@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+
 #include "base/tensor.hpp"
 #include "model/view.hpp"
 
@@ -19,7 +21,13 @@ struct BalanceView {
   const int* aggregate = nullptr;        ///< [nodes]
   const int* aggregate_first = nullptr;  ///< [aggregates + 1] into aggregate_node
   const int* aggregate_node = nullptr;   ///< [nodes]
+  const int* aggregate_block = nullptr;  ///< [aggregates + 1] into blocks of sums
+  const int* block_aggregate = nullptr;  ///< [blocks]
   const Real* arm = nullptr;             ///< [3 * nodes] m, from the centre of the node's aggregate
+  const double* compliance = nullptr;    ///< [6 * aggregates squared] symmetric, rigid movements per resultant
+  double* partial = nullptr;             ///< [6 * block_lanes * blocks] N, N m
+  double* resultant = nullptr;           ///< [6 * aggregates] N, N m
+  double* movement = nullptr;            ///< [6 * aggregates] m, rad
   ASHLAR_HD bool held(int node, int c) const { return (unsigned(body.fixed[node]) >> c) & 1u; }
 };
 
@@ -61,14 +69,25 @@ struct BalancePrecondition {
   }
 };
 
-/// One aggregate -> resultant force and moment of the residual, in double.
+/// Nodes of an aggregate are summed in blocks, whose lanes take every block_lanes-th node, so that lanes side by side read
+/// side by side.
+inline constexpr int block_lanes = 32, nodes_per_lane = 32, nodes_per_block = block_lanes * nodes_per_lane;
+
+/// Sums of many numbers go in parts that wait for each other no more than once a round.
+inline constexpr int parts_of_sum = 8;
+ASHLAR_HD double total(const double (&part)[parts_of_sum]) {
+  return ((part[0] + part[1]) + (part[2] + part[3])) + ((part[4] + part[5]) + (part[6] + part[7]));
+}
+
+/// One lane of a block -> force and moment of the residual of its nodes, in double.
 template <class Real>
 struct BalanceRestrict {
   BalanceView<Real> view;
-  double* resultant;  ///< [6 * aggregates] N, N m
-  ASHLAR_HD void operator()(int a) const {
+  ASHLAR_HD void operator()(int i) const {
+    const int block = i / block_lanes, a = view.block_aggregate[block], end = view.aggregate_first[a + 1];
+    int j = view.aggregate_first[a] + (block - view.aggregate_block[a]) * nodes_per_block + i % block_lanes;
     double s[rigid_modes] = {};
-    for (int j = view.aggregate_first[a]; j < view.aggregate_first[a + 1]; ++j) {
+    for (int k = 0; k < nodes_per_lane && j < end; ++k, j += block_lanes) {
       const int n = 3 * view.aggregate_node[j];
       const double x = view.arm[n], y = view.arm[n + 1], z = view.arm[n + 2];
       const double fx = view.residual[n], fy = view.residual[n + 1], fz = view.residual[n + 2];
@@ -79,7 +98,34 @@ struct BalanceRestrict {
       s[4] += z * fx - x * fz;
       s[5] += x * fy - y * fx;
     }
-    for (int k = 0; k < rigid_modes; ++k) resultant[rigid_modes * a + k] = s[k];
+    for (int k = 0; k < rigid_modes; ++k) view.partial[rigid_modes * i + k] = s[k];
+  }
+};
+
+/// One component of an aggregate's resultant, of what its blocks have.
+template <class Real>
+struct BalanceResultant {
+  BalanceView<Real> view;
+  ASHLAR_HD void operator()(int i) const {
+    const int a = i / rigid_modes, end = view.aggregate_block[a + 1] * block_lanes;
+    double sum[parts_of_sum] = {};
+    for (int l = view.aggregate_block[a] * block_lanes; l < end; l += parts_of_sum)
+      for (int k = 0; k < parts_of_sum; ++k) sum[k] += view.partial[rigid_modes * (l + k) + i % rigid_modes];
+    view.resultant[i] = total(sum);
+  }
+};
+
+/// One rigid movement that answers to the resultants.
+template <class Real>
+struct BalanceCoarse {
+  BalanceView<Real> view;
+  ASHLAR_HD void operator()(int i) const {
+    const int count = rigid_modes * view.aggregate_count;
+    double sum[parts_of_sum] = {};
+    for (int j = 0; j < count; j += parts_of_sum)
+      for (int k = 0; k < parts_of_sum; ++k)
+        if (j + k < count) sum[k] += view.compliance[std::size_t(j + k) * count + i] * view.resultant[j + k];
+    view.movement[i] = total(sum);
   }
 };
 
@@ -87,10 +133,9 @@ struct BalanceRestrict {
 template <class Real>
 struct BalanceProlong {
   BalanceView<Real> view;
-  const double* movement;  ///< [6 * aggregates] m, rad
   ASHLAR_HD void operator()(int node) const {
     const int n = 3 * node;
-    const double* m = movement + rigid_modes * view.aggregate[node];
+    const double* m = view.movement + rigid_modes * view.aggregate[node];
     const double x = view.arm[n], y = view.arm[n + 1], z = view.arm[n + 2];
     const double moved[3] = {m[0] + m[4] * z - m[5] * y, m[1] + m[5] * x - m[3] * z, m[2] + m[3] * y - m[4] * x};
     for (int c = 0; c < 3; ++c)

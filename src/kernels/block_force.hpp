@@ -1,6 +1,7 @@
 #pragma once
 #include "base/tensor.hpp"
 #include "model/view.hpp"
+#include "physics/bbar.hpp"
 
 /// Phase block_force: stress of every element, forces at its corners (paper, DoKernel steps 1-3, without a stiffness
 /// matrix).
@@ -82,6 +83,62 @@ ASHLAR_HD void element_force(const Point& law, const V (&x)[3][Element<V>::corne
   Element<V>::force(x, u, f, stress);
 }
 
+/// Elastic stress at the Gauss points of one element that remembers nothing, and whether the law takes more than that.
+template <class Element, class V, class Point, class Points>
+struct QuietStress {
+  const Point& law;
+  const Points& points;
+  bool yields = false;
+  V warming[Element::gauss_points];
+
+  ASHLAR_HD QuietStress(const Point& l, const Points& p) : law(l), points(p) {
+    for (int g = 0; g < Element::gauss_points; ++g) warming[g] = p.warming(g);
+  }
+  ASHLAR_HD Sym3<V> operator()(int g, const Sym3<V>& strain) {
+    const Sym3<V> s = law.elastic().stress(law.elastic().without_heat(strain, warming[g]));
+    const auto test = law.test(s);
+    const typename Point::template History<V> nothing{};
+    for (int l = 0; l < lane_count<V>; ++l) yields |= law.yields(test, nothing, l);
+    return s;
+  }
+};
+
+/// element_force() as a call: `read(x, u)` reads the corners.
+template <template <class> class Element, class V, class Point, class Points, class Read>
+ASHLAR_HD_CALL void remembering_force(const Point& law, const Read& read, const Points& points,
+                                      V (&f)[3][Element<V>::corners]) {
+  V x[3][Element<V>::corners], u[3][Element<V>::corners];
+  read(x, u);
+  element_force<Element, true>(law, x, u, points, f);
+}
+
+/// Corner forces of one element whose corners `read(x, u)` reads. One that remembers nothing is taken for elastic
+/// first, with few numbers at hand; where that is not so it begins again, and next time (until histories move on) with
+/// that.
+template <template <class> class Element, bool Warm, class V, class Point, class Points, class Read>
+ASHLAR_HD void read_element_force(const Point& law, const Read& read, const Points& points,
+                                  V (&f)[3][Element<V>::corners]) {
+  constexpr int corners = Element<V>::corners;
+  constexpr bool begins_quiet = Point::history_size > 0 && !is_averaged<Element>;
+  V x[3][corners], u[3][corners];
+  if constexpr (!begins_quiet) {
+    read(x, u);
+    element_force<Element, Warm>(law, x, u, points, f);
+  } else {
+    if (points.quiet()) {
+      read(x, u);
+      QuietStress<Element<V>, V, Point, Points> stress(law, points);
+      Element<V>::force(x, u, f, stress);
+      if (!stress.yields) return;
+      points.expect_more();
+    }
+    V again[3][corners];  // what a call writes lies in memory: f need not
+    remembering_force<Element>(law, read, points, again);
+    for (int c = 0; c < 3; ++c)
+      for (int k = 0; k < corners; ++k) f[c][k] = again[c][k];
+  }
+}
+
 template <class Real>
 ASHLAR_HD Real length_across(const BodyView<Real>& body, const BatchView& batch, int element,
                              const Vec3<Real>& normal) {
@@ -106,7 +163,7 @@ struct FindMemory {
     bool any = false;
     for (int c = 0; c < history_size; ++c)
       for (int g = 0; g < gauss_points; ++g) any |= body.history[c * body.history_stride + batch.history(i, g)] != Real(0);
-    remembers[batch.history(i, 0)] = any;
+    remembers[batch.history(i, 0)] = any ? 1 : 0;
   }
 };
 
@@ -126,6 +183,9 @@ struct StoredPoints {
   int element;
   ASHLAR_HD Real length(int, const Vec3<Real>& normal) const { return length_across(body, batch, element, normal); }
   ASHLAR_HD Real warming(int g) const { return body.warming[batch.gauss(element, g)]; }
+  ASHLAR_HD bool remembers() const { return body.remembers[batch.history(element, 0)] & 1; }
+  ASHLAR_HD bool quiet() const { return body.remembers[batch.history(element, 0)] == 0; }
+  ASHLAR_HD void expect_more() const { body.remembers[batch.history(element, 0)] = 2; }
   ASHLAR_HD Real averaged(int g) const { return body.averaged[batch.gauss(element, g)]; }
   ASHLAR_HD Sym3<Real> averaged_stress(int g) const {
     Sym3<Real> s;
@@ -139,7 +199,7 @@ struct StoredPoints {
   }
   template <class History>
   ASHLAR_HD void read_history(int g, History& h) const {
-    if (!body.remembers[batch.history(element, 0)]) return;  // h is 0
+    if (!remembers()) return;  // h is 0
     for (int c = 0; c < h.size; ++c) h[c] = body.history[c * body.history_stride + batch.history(element, g)];
   }
   template <class History>
@@ -167,6 +227,16 @@ ASHLAR_HD void read_corners(const BodyView<Real>& body, const BatchView& batch, 
   }
 }
 
+template <int corners, class Real>
+struct ReadCorners {
+  const BodyView<Real>& body;
+  const BatchView& batch;
+  int element;
+  ASHLAR_HD void operator()(Real (&x)[3][corners], Real (&u)[3][corners]) const {
+    read_corners(body, batch, element, x, u);
+  }
+};
+
 /// One element -> its own corner slots.
 template <template <class> class Element, class Point, class Real, bool Warm>
 struct BlockForce {
@@ -176,9 +246,9 @@ struct BlockForce {
 
   ASHLAR_HD void operator()(int i) const {
     constexpr int corners = Element<Real>::corners;
-    Real x[3][corners], u[3][corners], f[3][corners];
-    read_corners(body, batch, i, x, u);
-    element_force<Element, Warm>(law, x, u, StoredPoints<Real>{body, batch, i}, f);
+    Real f[3][corners];
+    read_element_force<Element, Warm, Real>(law, ReadCorners<corners, Real>{body, batch, i},
+                                            StoredPoints<Real>{body, batch, i}, f);
     ASHLAR_UNROLL
     for (int k = 0; k < corners; ++k)
       for (int c = 0; c < 3; ++c) body.corner_force[3 * batch.slot(i, corners, k) + c] = f[c][k];

@@ -1,9 +1,11 @@
 #pragma once
 #include "base/tensor.hpp"
 #include "model/view.hpp"
+#include "physics/edge_crossing.hpp"
 
 /// Phase moving_contacts: contacts of blocks that move far, found anew in every step among the candidates of the last
-/// search. A probe is a node with those of its faces that look one way; it presses on triangles of other blocks.
+/// search. A probe is a node with those of its faces that look one way, which presses on triangles of other blocks, or
+/// a sharp edge, which presses on edges of other blocks where both cross.
 namespace ashlar {
 
 /// Frictional contact between two regions, of one of the two sides that look for each other.
@@ -16,7 +18,7 @@ struct MovingLaw {
 /// What a probe remembers from step to step.
 template <class Real>
 struct ProbeMemory {
-  Real triangle = -2;  ///< that it is near to; -1: none, -2: it never looked
+  Real target = -2;  ///< triangle or edge that it is near to; -1: none, -2: it never looked
   Real law = 0;
   Real area = 0;     ///< m^2 that it presses with, of the moment when it began to press
   Real offset = 0;   ///< m, gap from which on it presses: not above 0, below where it came in from the side
@@ -28,20 +30,23 @@ inline constexpr int probe_numbers = 8;
 template <class Real>
 struct MovingContactView {
   int probe_count = 0, node_count = 0;
+  int first_edge = 0;                     ///< probes from here on are edges
   const Real* x = nullptr;                ///< [3 * block nodes] m, undeformed
-  const int* probe_node = nullptr;        ///< [probes]
+  const int* probe_node = nullptr;        ///< [first_edge]
   const int* corner = nullptr;            ///< [3 * triangles] block nodes, counter-clockwise from outside
+  const int* edge = nullptr;              ///< [4 * edges] two nodes, a further one of the face on each side
+  const int* edge_goes_on = nullptr;      ///< [2 * edges] EdgeEnd
   const MovingLaw<Real>* laws = nullptr;  ///< [interfaces]
   const int* first = nullptr;             ///< [probes + 1] into the candidates
-  const int* triangle = nullptr;          ///< [candidates]
+  const int* target = nullptr;            ///< [candidates] triangle or edge
   const int* law = nullptr;               ///< [candidates] index into laws
-  const Real* area = nullptr;             ///< [candidates] m^2, what the probe presses with on this triangle
+  const Real* area = nullptr;             ///< [candidates] m^2, what the probe presses with on this target
   Real reach = 0;                         ///< m, depth up to which a node is behind a triangle
   ProbeMemory<Real>* memory = nullptr;    ///< [probes]
   int* active = nullptr;                  ///< [probes] candidate that the probe is at; -1: none
-  Real* weight = nullptr;                 ///< [3 * probes] shape functions of that triangle
-  Real* force = nullptr;                  ///< [3 * probes] N, on the node
-  Real* resisting = nullptr;              ///< [3 * probes] N on the node, by damping
+  Real* weight = nullptr;                 ///< [4 * probes] share of the force that each node of contact bears
+  Real* force = nullptr;                  ///< [3 * probes] N, on the probe
+  Real* resisting = nullptr;              ///< [3 * probes] N on the probe, by damping
   double* stored = nullptr;               ///< [probes] J
   double* lost = nullptr;                 ///< [probes] J since the stage began: friction, contacts that ended pressed
 
@@ -50,10 +55,23 @@ struct MovingContactView {
   const int* node_first = nullptr;       ///< [nodes with entries + 1]
   const int* entry_probe = nullptr;      ///< [entries]
   const int* entry_candidate = nullptr;  ///< [entries] counted when the probe is at it; -1: the node is the probe's own
-  const int* entry_corner = nullptr;     ///< [entries] of the candidate's triangle
+  const int* entry_corner = nullptr;     ///< [entries] which of the nodes of contact it is
 };
 
-/// One probe -> the triangle it is at, its force and what it remembers. Normals are the present ones and the foot of
+/// The nodes of one contact: of a triangle and the probe, or of the other edge and the own one.
+inline constexpr int contact_nodes = 4;
+ASHLAR_HD void nodes_of_contact(int probe_node, const int* triangle, int (&node)[contact_nodes]) {
+  for (int i = 0; i < 3; ++i) node[i] = triangle[i];
+  node[3] = probe_node;
+}
+ASHLAR_HD void nodes_of_crossing(const int* own, const int* other, int (&node)[contact_nodes]) {
+  for (int i = 0; i < 2; ++i) {
+    node[i] = other[i];
+    node[2 + i] = own[i];
+  }
+}
+
+/// One probe -> the target it is at, its force and what it remembers. Normals are the present ones and the foot of
 /// the node moves with it, so the normal force has a potential and crosses edges between triangles without a jump. A
 /// contact begins without force, at whatever depth the node comes in; what it stores when it ends is booked as lost.
 template <class Real>
@@ -68,31 +86,41 @@ struct MoveContact {
     int candidate = -1;
     Real gap = 0;
     Vec3<Real> normal;
-    Real weight[3];
+    bool beside = false;      ///< it lies neither over nor behind the target
+    bool takes_over = false;  ///< it is where one piece of a long edge hands over to the next
+    Real weight[contact_nodes];
   };
 
   ASHLAR_HD void operator()(int p) const {
     ProbeMemory<Real> now = contacts.memory[p];
     const Foot foot = nearest(p, now);
     const double stored_before = stored(now);
-    const bool fresh = now.triangle == Real(-2), touches = foot.candidate >= 0;
+    const bool fresh = now.target == Real(-2), touches = foot.candidate >= 0;
     const int law_index = touches ? contacts.law[foot.candidate] : -1;
     double lost = 0;
-    if (!fresh && (!touches || now.triangle < Real(0) || now.law != Real(law_index))) {
+    if (!fresh && (!touches || now.target < Real(0) || now.law != Real(law_index))) {
       lost += stored_before;
       now.pressed = 0;
       now.shear = {};
       now.offset = foot.gap < Real(0) ? foot.gap : Real(0);
+      if (foot.takes_over && foot.gap < Real(0)) {
+        now.offset = 0;
+        now.pressed = -foot.gap;
+        now.area = contacts.area[foot.candidate];
+        const double stiffness = double(contacts.laws[law_index].normal_stiffness) * double(now.area);
+        lost -= 0.5 * stiffness * double(now.pressed) * double(now.pressed);  // which the piece before it books as lost
+      }
     }
     Vec3<Real> force, resisting;
-    now.triangle = Real(-1);
+    now.target = Real(-1);
     if (touches) {
-      now.triangle = Real(contacts.triangle[foot.candidate]);
+      now.target = Real(contacts.target[foot.candidate]);
       now.law = Real(law_index);
       if (now.pressed == Real(0)) now.area = contacts.area[foot.candidate];
       const MovingLaw<Real> law = contacts.laws[law_index];
       const Real normal_stiffness = law.normal_stiffness * now.area, shear_stiffness = law.shear_stiffness * now.area;
-      const Vec3<Real> speed = relative_speed(p, foot), sliding = flat(speed, foot.normal);
+      const Vec3<Real> speed = relative_speed(p, contacts.target[foot.candidate], foot),
+                       sliding = flat(speed, foot.normal);
       lost += press(now, foot, Real(2) * step * norm(speed), fresh, normal_stiffness);
       const Real push = normal_stiffness * now.pressed, limit = push * law.tan_friction;
 
@@ -120,8 +148,8 @@ struct MoveContact {
     contacts.active[p] = foot.candidate;
     contacts.stored[p] = stored(now);
     contacts.lost[p] += lost;
+    for (int i = 0; i < contact_nodes; ++i) contacts.weight[contact_nodes * p + i] = foot.weight[i];
     for (int i = 0; i < 3; ++i) {
-      contacts.weight[3 * p + i] = foot.weight[i];
       contacts.force[3 * p + i] = force[i];
       contacts.resisting[3 * p + i] = resisting[i];
     }
@@ -130,7 +158,7 @@ struct MoveContact {
  private:
   /// J
   ASHLAR_HD double stored(const ProbeMemory<Real>& m) const {
-    if (m.triangle < Real(0)) return 0;
+    if (m.target < Real(0)) return 0;
     const MovingLaw<Real> law = contacts.laws[int(m.law)];
     const double normal = double(law.normal_stiffness) * double(m.pressed) * double(m.pressed);
     return 0.5 * double(m.area) * (normal + double(law.shear_stiffness) * double(dot(m.shear, m.shear)));
@@ -155,16 +183,24 @@ struct MoveContact {
       r[i] = (contacts.x[3 * to + i] - contacts.x[3 * from + i]) + difference(u[3 * to + i], u[3 * from + i]);
     return r;
   }
-  ASHLAR_HD Vec3<Real> relative_speed(int p, const Foot& foot) const {
-    const int node = 3 * contacts.probe_node[p];
-    const int* const corner = contacts.corner + 3 * contacts.triangle[foot.candidate];
-    Vec3<Real> speed{v[node], v[node + 1], v[node + 2]};
-    for (int k = 0; k < 3; ++k)
-      for (int i = 0; i < 3; ++i) speed[i] = fma(-foot.weight[k], v[3 * corner[k] + i], speed[i]);
+  ASHLAR_HD Vec3<Real> relative_speed(int p, int target, const Foot& foot) const {
+    int node[contact_nodes];
+    const int e = p - contacts.first_edge;
+    if (e < 0)
+      nodes_of_contact(contacts.probe_node[p], contacts.corner + 3 * target, node);
+    else
+      nodes_of_crossing(contacts.edge + 4 * e, contacts.edge + 4 * target, node);
+    Vec3<Real> speed;
+    for (int k = 0; k < contact_nodes; ++k)
+      for (int i = 0; i < 3; ++i) speed[i] = fma(-foot.weight[k], v[3 * node[k] + i], speed[i]);
     return speed;
   }
-  ASHLAR_HD Foot foot_on(int node, int triangle) const {
-    const int* const corner = contacts.corner + 3 * triangle;
+  ASHLAR_HD Foot foot_on(int p, int target) const {
+    return p < contacts.first_edge ? on_triangle(contacts.probe_node[p], contacts.corner + 3 * target)
+                                   : on_edge(p - contacts.first_edge, target);
+  }
+  ASHLAR_HD Foot on_triangle(int node, const int* corner) const {
+    constexpr Real outside = Real(-1e-4);
     const Vec3<Real> a = way(node, corner[0]), b = way(node, corner[1]), c = way(node, corner[2]);
     const Vec3<Real> across = cross(b - a, c - a);
     const Real twice = norm(across);
@@ -174,24 +210,62 @@ struct MoveContact {
     foot.weight[0] = dot(cross(b, c), foot.normal) / twice;
     foot.weight[1] = dot(cross(c, a), foot.normal) / twice;
     foot.weight[2] = Real(1) - foot.weight[0] - foot.weight[1];
+    foot.weight[3] = Real(-1);
+    foot.beside = foot.weight[0] < outside || foot.weight[1] < outside || foot.weight[2] < outside;
     return foot;
   }
-  /// Of the triangles that the node lies over or behind the nearest one; one that pressed stays on what looks the same
-  /// way.
+  /// Faces that lie flat on each other do not touch at their edges, nor do edges at their ends: nodes do.
+  ASHLAR_HD Foot on_edge(int e, int target) const {
+    constexpr Real flat_sine = Real(2e-3), near_end = Real(0.01);
+    const int* const own = contacts.edge + 4 * e;
+    const int* const other = contacts.edge + 4 * target;
+    const int o = other[0];
+    const EdgeCrossing<Real> crossing = cross_edges(way(o, own[0]), way(o, own[1]), way(o, own[2]), way(o, own[3]),
+                                                    way(o, other[1]), way(o, other[2]), way(o, other[3]));
+    Foot foot;
+    foot.normal = crossing.normal;
+    foot.gap = crossing.gap;
+    foot.weight[0] = Real(1) - crossing.other;
+    foot.weight[1] = crossing.other;
+    foot.weight[2] = crossing.own - Real(1);
+    foot.weight[3] = -crossing.own;
+    const bool own_flat = crossing.own_leans > -flat_sine, other_flat = crossing.other_leans > -flat_sine;
+    const bool away = crossing.own_leans > flat_sine || crossing.other_leans > flat_sine;
+    foot.beside = crossing.parallel || away || (own_flat && other_flat) || beyond(e, 0, crossing.own) ||
+                  beyond(e, 1, Real(1) - crossing.own) || beyond(target, 0, crossing.other) ||
+                  beyond(target, 1, Real(1) - crossing.other);
+    const int end = crossing.own < Real(0.5) ? 0 : 1;
+    const Real from_end = end == 0 ? crossing.own : Real(1) - crossing.own;
+    foot.takes_over = contacts.edge_goes_on[2 * e + end] != int(EdgeEnd::corner) && from_end < near_end;
+    return foot;
+  }
+  /// Whether a place, counted from one end of an edge, is none of this edge. One of two pieces of a long edge has a bit
+  /// of the other one, so that nodes that meet do so inside a piece.
+  ASHLAR_HD bool beyond(int e, int end, Real from_end) const {
+    return from_end < (contacts.edge_goes_on[2 * e + end] == int(EdgeEnd::takes_more) ? Real(-1e-3) : Real(1e-3));
+  }
+  /// Of the targets that the probe lies over or behind the nearest one; one that pressed stays on what looks the same
+  /// way, until another face comes to be as near: the force's potential goes on over it.
   ASHLAR_HD Foot nearest(int p, const ProbeMemory<Real>& memory) const {
-    constexpr Real beside = Real(-1e-4), same_way = Real(0.9);
-    const int node = contacts.probe_node[p];
+    constexpr Real same_way = Real(0.9);
     const bool pressed = memory.pressed > Real(0);
-    const Vec3<Real> last = pressed ? foot_on(node, int(memory.triangle)).normal : Vec3<Real>{};
-    Foot best;
-    for (int i = 0; i < 3; ++i) best.weight[i] = Real(0);
+    Foot best, last;
+    Real moved = Real(0);
+    if (pressed) {
+      last = foot_on(p, int(memory.target));
+      moved = Real(2) * step * norm(relative_speed(p, int(memory.target), last));
+    }
+    for (int i = 0; i < contact_nodes; ++i) best.weight[i] = Real(0);
     Real least = Real(0);
     for (int j = contacts.first[p]; j < contacts.first[p + 1]; ++j) {
-      Foot foot = foot_on(node, contacts.triangle[j]);
+      Foot foot = foot_on(p, contacts.target[j]);
       const Real distance = foot.gap < Real(0) ? -foot.gap : foot.gap;
-      if (foot.weight[0] < beside || foot.weight[1] < beside || foot.weight[2] < beside || distance > contacts.reach)
-        continue;
-      const Real cost = pressed && dot(foot.normal, last) > same_way ? distance - Real(2) * contacts.reach : distance;
+      if (foot.beside || distance > contacts.reach) continue;
+      Real cost = distance;
+      if (pressed && dot(foot.normal, last.normal) > same_way)
+        cost = distance - Real(2) * contacts.reach;
+      else if (pressed && foot.gap < Real(0) && foot.gap > last.gap && foot.gap <= last.gap + moved)
+        cost = distance - Real(4) * contacts.reach;
       if (best.candidate >= 0 && cost >= least) continue;
       least = cost;
       best = foot;
@@ -214,7 +288,7 @@ struct GatherMovingContact {
     for (int j = contacts.node_first[i]; j < contacts.node_first[i + 1]; ++j) {
       const int p = contacts.entry_probe[j], candidate = contacts.entry_candidate[j];
       if (candidate >= 0 && candidate != contacts.active[p]) continue;
-      const Real share = candidate < 0 ? Real(-1) : contacts.weight[3 * p + contacts.entry_corner[j]];
+      const Real share = contacts.weight[contact_nodes * p + contacts.entry_corner[j]];
       for (int k = 0; k < 3; ++k) {
         sum[k] = fma(share, contacts.force[3 * p + k], sum[k]);
         damped[k] = fma(share, contacts.resisting[3 * p + k], damped[k]);

@@ -237,6 +237,7 @@ struct FractureSolve {
   int increments = 10;
   Relaxation relaxation;
   long max_events = 100000;
+  double event_group = 0.999;                 ///< contact points that use this share of what the worst one uses crack with it
 };
 
 /// The factor by which all strength can be divided before no equilibrium is found any more, by halving the interval.

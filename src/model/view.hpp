@@ -72,8 +72,8 @@ struct BodyView {
   Real* stress = nullptr;               ///< [6 * Gauss points] Pa, xx yy zz xy yz zx
   Real* history = nullptr;              ///< [numbers a point remembers][Gauss points that remember]
   int history_stride = 0;               ///< Gauss points that remember
-  const std::uint8_t* remembers = nullptr;  ///< [Gauss points that remember] at an element's first: whether any of its
-                                            ///< numbers is not 0, else nobody reads them
+  std::uint8_t* remembers = nullptr;    ///< [Gauss points that remember] at an element's first: 1: some number of it
+                                        ///< is not 0, else nobody reads them; 2: its law lately took more than elastic
   Real* corner_gradient = nullptr;      ///< [3 * slots] 1/m, mean over the element; null: no law asks for it
   Real* averaged = nullptr;  ///< [Gauss points] dilatation or mean stress of averaged elements; null: there are none
 };

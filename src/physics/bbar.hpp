@@ -16,15 +16,9 @@ struct BBar : Base {
   template <class Stress>
   ASHLAR_HD static void force(const V (&x)[3][corners], const V (&u)[3][corners], V (&f)[3][corners], Stress& stress) {
     const V zero = V(S(0)), third = V(S(1.0 / 3)), weight = V(S(Lines::factor));
-    const ElementGeometry<Base, V> geometry(x);
-    typename Lines::Table moved[3], shape_forces[3], volume_forces[3];
-    for (int i = 0; i < 3; ++i) {
-      moved[i] = Lines::of(u[i]);
-      for (int g = 0; g < Base::gauss_points; ++g) {
-        Lines::put(shape_forces[i], g, {zero, zero, zero});
-        Lines::put(volume_forces[i], g, {zero, zero, zero});
-      }
-    }
+    ElementGeometry<Base, V> geometry(x);
+    typename Lines::Table moved[3], forces[3];
+    for (int i = 0; i < 3; ++i) moved[i] = Lines::of(u[i]);
     V volume = zero, growth = zero;
     ASHLAR_UNROLL
     for (int g = 0; g < Base::gauss_points; ++g) {
@@ -33,11 +27,12 @@ struct BBar : Base {
       for (int i = 0; i < 3; ++i) {
         const Vec3<V> h = Lines::at(moved[i], g), side{j.bc[i], j.ca[i], j.ab[i]};
         growth = fma(h.z, side.z, fma(h.y, side.y, fma(h.x, side.x, growth)));
-        Lines::put(volume_forces[i], g, Lines::at(volume_forces[i], g) + side);
+        Lines::put(forces[i], g, {zero, zero, zero});
       }
     }
     const V share = V(S(1)) / volume, dilatation = growth * share;
     V pressure = zero;
+    geometry.forget();
     ASHLAR_UNROLL
     for (int g = 0; g < Base::gauss_points; ++g) {
       const Jacobian<V> j = geometry.jacobian_at(g);
@@ -56,15 +51,22 @@ struct BBar : Base {
       add_traction(s, j.bc, a);
       add_traction(s, j.ca, b);
       add_traction(s, j.ab, c);
-      for (int i = 0; i < 3; ++i)
-        Lines::put(shape_forces[i], g, Lines::at(shape_forces[i], g) + Vec3<V>{a[i], b[i], c[i]});
+      for (int i = 0; i < 3; ++i) Lines::put(forces[i], g, Lines::at(forces[i], g) + Vec3<V>{a[i], b[i], c[i]});
     }
     pressure = pressure * share;
+    geometry.forget();
+    ASHLAR_UNROLL
+    for (int g = 0; g < Base::gauss_points; ++g) {
+      const Jacobian<V> j = geometry.jacobian_at(g);
+      for (int i = 0; i < 3; ++i) {
+        const Vec3<V> force = Lines::at(forces[i], g);
+        Lines::put(forces[i], g,
+                   {fma(pressure, j.bc[i], force.x), fma(pressure, j.ca[i], force.y), fma(pressure, j.ab[i], force.z)});
+      }
+    }
     for (int i = 0; i < 3; ++i) {
-      V from_volume[corners];
-      Lines::to_corners(shape_forces[i], f[i]);
-      Lines::to_corners(volume_forces[i], from_volume);
-      for (int k = 0; k < corners; ++k) f[i][k] = weight * fma(pressure, from_volume[k], f[i][k]);
+      Lines::to_corners(forces[i], f[i]);
+      for (int k = 0; k < corners; ++k) f[i][k] = weight * f[i][k];
     }
   }
 };

@@ -76,6 +76,16 @@ struct ElementGeometry {
         y(GaussTable<Element>::of(points[1])),
         z(GaussTable<Element>::of(points[2])) {}
 
+  /// What was worked out from the tables is worked out again from here on, see ashlar::forget().
+  ASHLAR_HD void forget() {
+    for (int g = 0; g < Element::gauss_points; ++g)
+      for (auto* t : {&x, &y, &z}) {
+        Vec3<V> d = GaussTable<Element>::at(*t, g);
+        for (int i = 0; i < 3; ++i) ashlar::forget(d[i]);
+        GaussTable<Element>::put(*t, g, d);
+      }
+  }
+
   ASHLAR_HD Jacobian<V> jacobian_at(int g) const {
     const Vec3<V> dx = GaussTable<Element>::at(x, g), dy = GaussTable<Element>::at(y, g),
                   dz = GaussTable<Element>::at(z, g);

@@ -16,6 +16,10 @@ struct Softening {
     if (!(used > Real(1))) return Real(0);
     return used < ratio ? Real(1) - (ratio - used) / (used * (ratio - Real(1))) : Real(1);
   }
+  /// Share of the strength that is left at this damage.
+  ASHLAR_HD Real strength(Real damage) const {
+    return (Real(1) - damage) * ratio / fma(Real(1) - damage, ratio - Real(1), Real(1));
+  }
   /// Energy that is gone at this damage, in units of strength squared over stiffness; ratio / 2 at the end.
   ASHLAR_HD Real released(Real damage) const {
     const Real used = ratio / fma(Real(1) - damage, ratio - Real(1), Real(1));

@@ -329,7 +329,7 @@ int add_solve(const Call& c) {
                  "or \"viscous\"");
     if (c.noun.name == "fracture")
       c.solves.emplace_back(FractureSolve{f.text("from"), f.text("to"), f.integer("increments"), relaxation(f),
-                                          static_cast<long>(f.number("max_events"))});
+                                          static_cast<long>(f.number("max_events")), f.number("event_group")});
     else if (c.noun.name == "strength_reduction")
       add_strength_reduction(c);
     else if (c.noun.name == "coupled")

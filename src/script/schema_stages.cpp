@@ -63,7 +63,11 @@ std::vector<NounRule> stage_nouns() {
                     "the last stage that balanced stress, the reference temperature before the first"),
                 key("to", Type::text, "thermal stage whose end is the goal").need(),
                 key("increments", Type::integer, "steps of the load factor from 0 to 1").otherwise(10),
-                key("max_events", Type::integer, "gives up after so many crack events").otherwise(100000)} +
+                key("max_events", Type::integer, "gives up after so many crack events").otherwise(100000),
+                number("event_group", dimension::none, Range{0.5, 1},
+                       "contact points that use at least this share of what the worst one uses of its strength crack "
+                       "with it, in one event; less: fewer events and a coarser order of cracks")
+                    .otherwise(0.999)} +
            relaxation_keys(),
        .example = R"(stage "fracture" { solve = fracture { from = "summer", to = "winter", increments = 10 } })"},
       {.name = "coupled",
@@ -127,10 +131,8 @@ std::vector<NounRule> stage_nouns() {
                 key("large_displacement", Type::flag,
                     "true: blocks move and turn as far as they like, part, fall and meet others. Whatever two regions "
                     "a frictional joint or crackable names touch wherever they meet (blocks of one region as the first "
-                    "joint of that region says): nodes of either on faces of the other, each with half of the "
-                    "stiffness; edges that cross between their nodes are not seen, and a corner that comes in across an edge "
-                    "presses only beyond the depth it has by then, so look at pictures for blocks that lie in each "
-                    "other. Loads keep their direction; stress "
+                    "joint of that region says): nodes of either on faces of the other and sharp edges across each "
+                    "other, each side with half of the stiffness. Loads keep their direction; stress "
                     "is given in axes that turn with the body, and interface results show nothing. Later stages have "
                     "to be of this kind too")
                     .otherwise(0),

@@ -13,7 +13,7 @@ void begin_with_shear_of_springs(const Problem& problem) {
   if (surface.empty() || contacts.count() == 0) return;
   Backend& backend = *problem.backend;
   std::vector<double> memory = backend.read(Field::probe_memory);
-  if (memory[0] != ProbeMemory<double>{}.triangle) return;
+  if (memory[0] != ProbeMemory<double>{}.target) return;
 
   std::vector<std::vector<int>> probes(problem.blocks.node_count());
   std::vector<Vec3<double>> outward(surface.probe_count());

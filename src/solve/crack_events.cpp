@@ -18,8 +18,8 @@ CrackEvents::CrackEvents(const Problem& problem) : problem_(problem) {
 
 double CrackEvents::largest_utilisation() { return breakable_ ? problem_.backend->largest_utilisation() : 0; }
 
-CrackEvent CrackEvents::break_worst_group(double used, double load_factor) {
-  return event_of(problem_.backend->break_springs(used, worst_group_share), load_factor);
+CrackEvent CrackEvents::break_worst_group(double used, double share, double load_factor) {
+  return event_of(problem_.backend->break_springs(used, share), load_factor);
 }
 
 std::optional<CrackEvent> CrackEvents::keep_history(double load_factor) {

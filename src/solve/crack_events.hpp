@@ -9,9 +9,6 @@
 /// Breaking contact points at converged states, and the account of it (numerics 5, crack events).
 namespace ashlar {
 
-/// Members of the group that breaks together use at least this share of what the worst one uses.
-inline constexpr double worst_group_share = 0.999;
-
 class CrackEvents {
  public:
   /// `problem` outlives this.
@@ -26,9 +23,9 @@ class CrackEvents {
   /// break.
   double largest_utilisation();
 
-  /// Cracks the worst group at the present, converged state, whose worst contact point uses `used` >= 1 of its strength,
-  /// and tells what broke.
-  CrackEvent break_worst_group(double used, double load_factor);
+  /// Cracks the worst group at the present, converged state, whose worst contact point uses `used` >= 1 of its strength
+  /// and whose others use at least `share` of that, and tells what broke.
+  CrackEvent break_worst_group(double used, double share, double load_factor);
 
   /// Takes slip and damage of the present equilibrium as those to go on from, and books what both have cost since the
   /// last one: traction now times slip since then, and the energy of softening, never negative. Tells what has softened

@@ -379,7 +379,9 @@ StableStep stable_step(const Problem& problem, double damping, bool large) {
   step.springs = between > 0 ? 1 / std::sqrt(between) : 0;
   if (large) {  // damped is what contacts do alone: dt^2 lambda(K) / 4 + dt lambda(C) / 2 <= 1
     const double resists = damping * between;
-    step.together = step.switching = 1 / (resists + std::sqrt(resists * resists + blocks + between));
+    const auto stable = [&](double more) { return 1 / (resists + std::sqrt(resists * resists + blocks + more)); };
+    step.together = stable(between);
+    step.switching = stable(switching * switching * between);
     return step;
   }
   const auto damped = [&](double square) {

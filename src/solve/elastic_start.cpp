@@ -20,21 +20,15 @@ bool ElasticStart::applies() const {
 }
 
 long ElasticStart::run(const Relaxation& relaxation, double thermal_load, const RelaxationWatch& watch) {
-  if (!coarse_) {
-    coarse_.emplace(problem_, backend_.read(Field::fixed));
-    backend_.write_aggregates(coarse_->aggregates());
-  }
-  const auto precondition = [&] {
-    backend_.run(Phase::balance_precondition);
-    backend_.add_movements(coarse_->solve(backend_.balance_resultants()));
-  };
+  if (!coarse_written_) backend_.write_coarse(coarse_balance(problem_, backend_.read(Field::fixed)));
+  coarse_written_ = true;
 
   evaluate_force(backend_);
   const RelaxationMeasure start = backend_.relaxation_sums();
   const double scale = std::max({start.load, start.reaction, thermal_load});
   if (!(scale > 0)) return 0;
   backend_.run(Phase::balance_residual);
-  precondition();
+  backend_.run(Phase::balance_precondition);
   Controls controls;
   backend_.run(Phase::balance_turn, controls);
   double before = backend_.balance_sums().preconditioned;
@@ -47,7 +41,7 @@ long ElasticStart::run(const Relaxation& relaxation, double thermal_load, const 
     controls.search_length = before / backend_.balance_sums().along;
     if (!std::isfinite(controls.search_length)) break;
     backend_.run(Phase::balance_advance, controls);
-    precondition();
+    backend_.run(Phase::balance_precondition);
     const BalanceMeasure now = backend_.balance_sums();
     if (now.residual <= below_tolerance * relaxation.tolerance * scale) break;
     if (watch && watch(iteration, now.residual / scale)) break;

@@ -1,13 +1,11 @@
 #pragma once
-#include <optional>
-
-#include "solve/coarse_space.hpp"
+#include "solve/coarse_balance.hpp"
 #include "solve/relaxation.hpp"
 
 namespace ashlar {
 
 /// Conjugate gradients to the elastic balance before relaxation takes over: far fewer element passes where nothing
-/// slides or cracks. Preconditioned by the virtual mass and by rigid movements of patches (CoarseSpace). Same element
+/// slides or cracks. Preconditioned by the virtual mass and by rigid movements of parts of the body (CoarseBalance). Same element
 /// routine, same bits on any number of threads.
 class ElasticStart {
  public:
@@ -25,7 +23,7 @@ class ElasticStart {
  private:
   const Problem& problem_;
   Backend& backend_;
-  std::optional<CoarseSpace> coarse_;
+  bool coarse_written_ = false;
 };
 
 }  // namespace ashlar

@@ -29,26 +29,20 @@ double size_of(const std::vector<Vec3<double>>& points) {
 
 }  // namespace
 
-Fracture::Fracture(const Problem& problem, FractureLinks links, long max_events)
+Fracture::Fracture(const Problem& problem, FractureLinks links, const FractureSolve& how)
     : problem_(problem),
       links_(std::move(links)),
-      max_events_(max_events),
+      max_events_(how.max_events),
+      event_group_(how.event_group),
       cracks_(problem),
       plastic_(problem.backend->size(Field::history) > 0),
-      size_(size_of(problem.discretisation.block_points)) {}
+      size_(size_of(problem.discretisation.block_points)) {
+  problem.backend->keep_equilibrium(0);
+}
 
 bool Fracture::stop(const std::string& reason) {
   stop_reason_ = reason;
   return false;
-}
-
-Fracture::State Fracture::present(double factor) {
-  return {factor, problem_.backend->read(Field::displacement), problem_.backend->read(Field::slip)};
-}
-
-void Fracture::restore(const State& state) {
-  problem_.backend->write(Field::displacement, state.displacement);
-  problem_.backend->write(Field::slip, state.slip);
 }
 
 /// What depends on the path takes the present equilibrium as the one to go on from.
@@ -62,13 +56,13 @@ void Fracture::move_on(double factor) {
 
 void Fracture::keep(double factor, bool smooth) {
   move_on(factor);
-  State now = present(factor);
-  if (smooth && !kept_.displacement.empty() && factor > kept_.factor) {
-    rate_.resize(now.displacement.size());
-    for (std::size_t i = 0; i < rate_.size(); ++i)
-      rate_[i] = (now.displacement[i] - kept_.displacement[i]) / (factor - kept_.factor);
-  }
-  kept_ = std::move(now);
+  // In a linear model the search finds the way; it needs no guess.
+  const bool bends = plastic_ || cracks_.can_crack() || cracks_.can_separate();
+  const double advance = bends && smooth && kept_ ? factor - kept_factor_ : 0;
+  problem_.backend->keep_equilibrium(advance);
+  rate_known_ = rate_known_ || advance > 0;
+  kept_factor_ = factor;
+  kept_ = true;
 }
 
 /// Bodies that nothing keeps in place now. Where no contact has come loose since none was found there are none.
@@ -119,21 +113,12 @@ LooseBlocks Fracture::describe(const std::vector<int>& blocks) const {
   return loose;
 }
 
-/// Largest displacement component since the last kept equilibrium, m.
-double Fracture::moved() const {
-  const auto u = problem_.backend->read(Field::displacement);
-  double most = 0;
-  for (std::size_t i = 0; i < u.size(); ++i)
-    most = std::max(most, std::abs(u[i] - (kept_.displacement.empty() ? 0.0 : kept_.displacement[i])));
-  return most;
-}
-
 bool Fracture::relax() {
   std::size_t floating_before = 0;
   bool stopped = false;
   const auto watch = [&](long step, double) {
     if (step % support_interval != 0 || !(cracks_.can_separate() || plastic_)) return false;
-    if (moved() > runaway * size_) return stopped = !stop("moves without limit");
+    if (problem_.backend->moved_since_equilibrium() > runaway * size_) return stopped = !stop("moves without limit");
     if (!cracks_.can_separate()) return false;
     // A body that lost its hold may fall back on its neighbours: it floats away if nothing holds it at two looks in a
     // row.
@@ -166,7 +151,7 @@ bool Fracture::settle(double load_factor) {
     offer_checkpoint();
     if (static_cast<long>(events_.size()) >= max_events_) return stop("event limit");
     move_on(load_factor);
-    events_.push_back(cracks_.break_worst_group(used, load_factor));
+    events_.push_back(cracks_.break_worst_group(used, event_group_, load_factor));
     if (links_.cracked) links_.cracked(events_.back(), cracks_.cracked_fraction());
     if (!relax()) return false;
   }
@@ -178,37 +163,28 @@ bool Fracture::settle(double load_factor) {
 
 /// Equilibrium at `factor`, started on the straight line through the last equilibria between which nothing broke.
 bool Fracture::reach(double factor) {
-  State start = kept_;
-  for (std::size_t i = 0; i < rate_.size(); ++i) start.displacement[i] += (factor - kept_.factor) * rate_[i];
-  restore(start);
+  problem_.backend->leave_equilibrium(rate_known_ ? factor - kept_factor_ : 0);
   links_.set_load_factor(factor);
   return relax();
 }
 
-/// Fraction of the way from the kept state to `high` at which a contact point first uses its strength.
-double Fracture::first_crossing(const State& high) {
+/// From the equilibrium at load factor `high`, whose worst contact point uses `used` > 1 of its strength, back to one
+/// where it uses 1 to 1.005 of it; moves the last equilibrium up where it proves to be below. Returns its load factor,
+/// nothing if stopped.
+std::optional<double> Fracture::reach_first_crack(double high, double used) {
   Backend& backend = *problem_.backend;
-  backend.write(Field::displacement_before, kept_.displacement);
-  backend.write(Field::displacement, high.displacement);
-  return std::clamp(backend.first_crossing(), 0.0, 1.0);
-}
-
-/// From equilibrium `high`, whose worst contact point uses `used` > 1 of its strength, back to one where it uses 1
-/// to 1.005 of it; moves the kept state up where it proves to be below. Returns its load factor, nothing if stopped.
-std::optional<double> Fracture::reach_first_crack(State high, double used) {
+  backend.keep_way_end();
   while (used > most_over_strength) {
-    const double width = high.factor - kept_.factor;
+    const double width = high - kept_factor_;
     // Utilisation is convex along a straight way, so between the crossing and `high` it stays below its chord.
-    const double crossing = first_crossing(high);
+    const double crossing = std::clamp(backend.first_crossing(), 0.0, 1.0);
     const double fraction = crossing + (1 - crossing) * (aimed_over_strength - 1) / (used - 1);
-    State middle = kept_;
-    middle.factor += fraction * width;
-    for (std::size_t i = 0; i < middle.displacement.size(); ++i)
-      middle.displacement[i] += fraction * (high.displacement[i] - kept_.displacement[i]);
-
     const bool path_jumps = width < finest_advance;
-    restore(path_jumps ? high : middle);
-    const double factor = path_jumps ? high.factor : middle.factor;
+    const double factor = path_jumps ? high : kept_factor_ + fraction * width;
+    if (path_jumps)
+      backend.go_to_way_end();
+    else
+      backend.go_part_of_way(fraction);
     links_.set_load_factor(factor);
     if (!relax()) return std::nullopt;
     if (path_jumps) return factor;
@@ -218,10 +194,11 @@ std::optional<double> Fracture::reach_first_crack(State high, double used) {
       keep(factor, true);
     } else {
       used = used_there;
-      high = present(factor);
+      high = factor;
+      backend.keep_way_end();
     }
   }
-  return high.factor;
+  return high;
 }
 
 bool Fracture::advance(int increments) {
@@ -235,7 +212,7 @@ bool Fracture::advance(int increments) {
   for (int i = std::max(1, place_.increment); i <= increments; ++i) {
     place_.increment = i;
     const double target = static_cast<double>(i) / increments;
-    while (kept_.factor < target) {
+    while (kept_factor_ < target) {
       offer_checkpoint();
       if (!reach(target)) return false;
       const double used = cracks_.largest_utilisation();
@@ -243,7 +220,7 @@ bool Fracture::advance(int increments) {
         keep(target, true);
         break;
       }
-      const auto factor = reach_first_crack(present(target), used);
+      const auto factor = reach_first_crack(target, used);
       if (!factor || !settle(*factor)) return false;
     }
     if (links_.increment_reached) links_.increment_reached(target, cracks_.dissipated());
@@ -260,10 +237,13 @@ void Fracture::exchange(Exchange& e) {
   e("place.settling", place_.settling);
   e("place.factor", place_.factor);
   e("place.events_before", place_.events_before);
-  e("kept.factor", kept_.factor);
-  e("kept.displacement", kept_.displacement);
-  e("kept.slip", kept_.slip);
-  e("rate", rate_);
+  e("kept.factor", kept_factor_);
+  e("kept", kept_);
+  e("rate_known", rate_known_);
+  for (const auto& [field, name] : {std::pair{Field::displacement_before, "displacement_before"},
+                                    std::pair{Field::kept_slip, "kept_slip"},
+                                    std::pair{Field::displacement_rate, "displacement_rate"}})
+    exchange_field(e, name, *problem_.backend, field);
   e("events", events_);
   e("free_blocks", free_blocks_);
   e("loose", loose_);
@@ -280,7 +260,7 @@ void Fracture::fill(StageResult& result) {
   result.stop_reason = stop_reason_;
   result.steps = steps_;
   result.ratio = last_.ratio;
-  result.load_factor = kept_.factor;
+  result.load_factor = kept_factor_;
   result.events = events_;
   result.free_blocks = free_blocks_;
   result.loose = loose_;

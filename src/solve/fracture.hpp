@@ -31,8 +31,8 @@ struct FractureLinks {
 
 class Fracture {
  public:
-  /// `problem` outlives this.
-  Fracture(const Problem& problem, FractureLinks links, long max_events);
+  /// `problem` outlives this. Of `how` only what concerns crack events; static stages take the defaults.
+  Fracture(const Problem& problem, FractureLinks links, const FractureSolve& how = {});
 
   /// Equilibrium at the present load: relax; while a contact point uses its strength crack the worst group and relax
   /// again. False: stopped, see stop_reason().
@@ -52,15 +52,10 @@ class Fracture {
   bool advancing() const { return place_.increment >= 0; }
 
   const std::string& stop_reason() const { return stop_reason_; }
-  double load_factor() const { return kept_.factor; }
+  double load_factor() const { return kept_factor_; }
   double cracked_fraction() { return cracks_.cracked_fraction(); }
 
  private:
-  /// All that a load factor can be tried again from.
-  struct State {
-    double factor = 0;
-    std::vector<double> displacement, slip;
-  };
   /// Where the search stands when it offers a checkpoint.
   struct Place {
     int increment = -1;  ///< 0: before the first, -1: advance() has not been asked for
@@ -68,17 +63,13 @@ class Fracture {
     double factor = 0;               ///< while settling
     std::size_t events_before = 0;  ///< while settling: events when it began
   };
-  State present(double factor);
-  void restore(const State& state);
-  double moved() const;
   bool relax();
   std::vector<FreeBody> find_free_bodies();
   bool hold_free_bodies();
   LooseBlocks describe(const std::vector<int>& blocks) const;
   bool reach(double factor);
-  double first_crossing(const State& high);
   void move_on(double factor);
-  std::optional<double> reach_first_crack(State high, double used);
+  std::optional<double> reach_first_crack(double high, double used);
   bool stop(const std::string& reason);
   void keep(double factor, bool smooth);
   void offer_checkpoint();
@@ -86,14 +77,16 @@ class Fracture {
   const Problem& problem_;
   FractureLinks links_;
   long max_events_;
+  double event_group_;
   CrackEvents cracks_;
   bool plastic_;              ///< some law remembers
   double size_;               ///< m, of the whole body
   Place place_;
   bool all_held_ = false;     ///< no body was free at the last look
   bool resumed_ = false;      ///< the present place was taken from a checkpoint
-  State kept_;                ///< the last equilibrium without over-strength
-  std::vector<double> rate_;  ///< displacement per load factor over the last advance; empty at first
+  double kept_factor_ = 0;    ///< of the last equilibrium without over-strength, which the backend keeps
+  bool kept_ = false;         ///< there is one
+  bool rate_known_ = false;   ///< the backend's rate is of this path
   std::vector<CrackEvent> events_;
   std::vector<int> free_blocks_;
   std::vector<LooseBlocks> loose_;

@@ -361,7 +361,7 @@ class Run {
   void balance(const Start& start, FractureLinks links, int increments, StageResult& result) {
     thermal_load_ = warm_ ? thermal_load_norm(*problem_.backend) : 0;
     if (increments > 0) go_from(start, links);
-    Fracture fracture(problem_, links, max_static_events);
+    Fracture fracture(problem_, links);
     if (links.keep) go_on([&](Exchange& e) { fracture.exchange(e); });
     const During events(clock_, Activity::events);
     if (increments > 0)
@@ -430,7 +430,7 @@ class Run {
       if (factor < 1) record({stage_, stage_ + factor, factor, false});
     };
     links.keep = [this](const Own& own) { offer_checkpoint(own); };
-    Fracture fracture(problem_, links, how.max_events);
+    Fracture fracture(problem_, links, how);
     go_on([&](Exchange& e) { fracture.exchange(e); });
     clock_.enter(Activity::events);
     outcome_.converged = (fracture.advancing() || fracture.settle(0)) && fracture.advance(how.increments);
@@ -471,7 +471,7 @@ class Run {
     const auto stands = [&](double factor) {
       restore(start);
       problem_.backend->weaken(factor);
-      Fracture fracture(problem_, links, max_static_events);
+      Fracture fracture(problem_, links);
       const bool found = fracture.settle(1);
       StageResult trial;
       fracture.fill(trial);
@@ -680,8 +680,6 @@ class Run {
     outcome_.converged = march_coupled(problem_, stage_, temperature_, links, outcome_);
     result_.interrupted = result_.interrupted || outcome_.stop_reason == "interrupted";
   }
-
-  static constexpr long max_static_events = 100000;
 
   Problem& problem_;
   Observer& observer_;

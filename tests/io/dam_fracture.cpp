@@ -140,6 +140,14 @@ TEST_P(StagedDam, first_crack_on_the_way_from_summer_to_winter) {
   EXPECT_NEAR(first.place.z, 0, 1e-9);
   EXPECT_EQ(first.mode, "tension");
   RecordProperty("onset", std::to_string(first.load_factor));
+
+  // A group that is taken wider cracks more in the same event: the contact points next in use of their strength.
+  std::get<FractureSolve>(model.stages[3].solve).event_group = 0.7;
+  Problem same(model, {.threads = 1});
+  const RunResult wider = solve(same, silent);
+  ASSERT_EQ(wider.stages[3].events.size(), 1u);
+  EXPECT_EQ(wider.stages[3].events[0].load_factor, first.load_factor);
+  EXPECT_GT(wider.stages[3].events[0].contact_points, first.contact_points);
 }
 
 }  // namespace

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "model/grid.hpp"
+#include "physics/edge_crossing.hpp"
 
 namespace ashlar {
 namespace {
@@ -54,16 +56,37 @@ TEST(moving_contacts, faces_that_touch_find_each_other_both_ways) {
     ++near;
     area += found.area[found.first[p]];
     for (int j = found.first[p]; j < found.first[p + 1]; ++j)
-      EXPECT_NE(s.block[found.triangle[j]], s.probe_block[p]) << "a block does not touch itself";
+      EXPECT_NE(s.block[found.target[j]], s.probe_block[p]) << "a block does not touch itself";
   }
   EXPECT_EQ(near, 8);
   EXPECT_NEAR(area, 2, 1e-12);  // the shared face from both sides
 }
 
+TEST(moving_contacts, a_cube_has_twelve_sharp_edges_and_they_press_with_half_of_what_corners_do) {
+  const Cubes cubes;
+  const ContactSurface& s = cubes.surface;
+  EXPECT_EQ(s.edge_count(), 2 * 12);
+  EXPECT_NEAR(std::accumulate(s.edge_area.begin(), s.edge_area.end(), 0.0), 2 * 12 * 2 * 0.5 / 4, 1e-12);
+  EXPECT_EQ(std::count(s.edge_goes_on.begin(), s.edge_goes_on.end(), 0), 2 * 12 * 2) << "all edges end at corners";
+}
+
+TEST(moving_contacts, an_edge_of_a_bar_goes_on_where_it_is_meshed) {
+  Model model;
+  model.mesh = test::grid(3, 1, 1, {"bar", "bar", "other"});
+  model.interfaces = {test::interface_of(false, {"bar", "other"})};
+  model.interfaces[0].law = "frictional";
+  model.interfaces[0].values = {{"friction", 0.5}, {"normal_stiffness", 2e9}, {"shear_stiffness", 1e9}};
+  const Blocks blocks = split_blocks(model, find_faces(model.mesh));
+  const ContactSurface s = contact_surface(model, blocks, discretise(model.mesh, blocks, {0, 0}, 1024));
+  EXPECT_EQ(s.edge_count(), (4 * 2 + 8) + 12);
+  for (const EdgeEnd end : {EdgeEnd::takes_more, EdgeEnd::takes_less})
+    EXPECT_EQ(std::count(s.edge_goes_on.begin(), s.edge_goes_on.end(), static_cast<int>(end)), 4);
+}
+
 TEST(moving_contacts, what_is_further_than_the_skin_is_not_found) {
   const Cubes cubes;
-  EXPECT_GT(cubes.moved({0.5 * cubes.surface.skin, 0, 0}).triangle.size(), 0u);
-  EXPECT_EQ(cubes.moved({3 * cubes.surface.skin, 0, 0}).triangle.size(), 0u);
+  EXPECT_GT(cubes.moved({0.5 * cubes.surface.skin, 0, 0}).target.size(), 0u);
+  EXPECT_EQ(cubes.moved({3 * cubes.surface.skin, 0, 0}).target.size(), 0u);
 }
 
 }  // namespace

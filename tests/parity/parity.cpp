@@ -187,7 +187,7 @@ void expect_same_bits(const std::vector<double>& a, const std::vector<double>& b
 /// Set-up, every mechanical phase for `steps` steps, stress, strength; heat steps and the warming that they leave.
 struct Outcome {
   std::vector<double> stiffness, displacement, velocity, force, slip, state, joined, cracks, stress, history,
-      temperature, warming, sums, searched;
+      temperature, warming, sums, searched, path;
 };
 void write_heat(const Problem& p, Backend& b) {
   std::vector<double> temperature(p.discretisation.heat_points.size());
@@ -202,6 +202,27 @@ void write_heat(const Problem& p, Backend& b) {
   for (std::size_t n = 0; n < capacity.size(); ++n)
     inverse_capacity[p.discretisation.heat.new_node[n]] = 1 / capacity[n];
   b.write(Field::inverse_capacity, inverse_capacity);
+}
+/// Three tenths of the way to the present displacement, then straight on to half of it, then to its end: where that is
+/// and how far from the last equilibrium.
+std::vector<double> walk(Backend& b) {
+  std::vector<double> all;
+  const auto look = [&] {
+    const std::vector<double> u = b.read(Field::displacement);
+    all.insert(all.end(), u.begin(), u.end());
+    all.push_back(b.moved_since_equilibrium());
+  };
+  b.keep_equilibrium(0);
+  b.write(Field::displacement_before, std::vector<double>(b.size(Field::displacement_before)));
+  b.keep_way_end();
+  b.go_part_of_way(0.3);
+  look();
+  b.keep_equilibrium(0.3);
+  b.leave_equilibrium(0.2);
+  look();
+  b.go_to_way_end();
+  look();
+  return all;
 }
 Outcome march(const Problem& p, Backend& b, int steps) {
   Outcome out;
@@ -245,6 +266,7 @@ Outcome march(const Problem& p, Backend& b, int steps) {
     const double used = b.largest_utilisation();
     const CrackMeasure kept = b.keep_springs(), broken = b.break_springs(used, 0.9);
     b.write(Field::displacement_before, std::vector<double>(3 * p.blocks.node_count()));
+    b.keep_way_end();
     out.cracks = {used, b.first_crossing(), double(b.loosened_springs())};
     for (const CrackMeasure& m : {kept, broken})
       out.cracks.insert(out.cracks.end(), {double(m.count), double(m.worst), double(m.mode), m.lost.opening,
@@ -252,6 +274,7 @@ Outcome march(const Problem& p, Backend& b, int steps) {
   }
   b.run(Phase::advance_history);
   b.run(Phase::block_stress);
+  out.path = walk(b);
   out.displacement = b.read(Field::displacement);
   out.velocity = b.read(Field::velocity);
   out.force = b.read(Field::force);
@@ -264,6 +287,22 @@ Outcome march(const Problem& p, Backend& b, int steps) {
   if (search.applies()) search.run({.tolerance = 1e-12}, 0, [](long iteration, double) { return iteration == 20; });
   out.searched = b.read(Field::displacement);
   return out;
+}
+
+/// Displacements on a straight way are in proportion.
+void expect_straight(const std::vector<double>& path, const std::vector<double>& u, double error) {
+  const std::size_t n = u.size() + 1;
+  ASSERT_EQ(path.size(), 3 * n);
+  double most = 0;
+  for (const double c : u) most = std::max(most, std::abs(c));
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    EXPECT_NEAR(path[i], 0.3 * u[i], error);
+    EXPECT_NEAR(path[n + i], 0.5 * u[i], error);
+    EXPECT_EQ(path[2 * n + i], u[i]);
+  }
+  EXPECT_NEAR(path[n - 1], 0.3 * most, error);
+  EXPECT_NEAR(path[2 * n - 1], 0.2 * most, error);
+  EXPECT_NEAR(path[3 * n - 1], 0.7 * most, error);
 }
 
 void expect_same(const Outcome& a, const Outcome& b) {
@@ -281,6 +320,7 @@ void expect_same(const Outcome& a, const Outcome& b) {
   expect_same_bits(a.warming, b.warming, "warming");
   expect_same_bits(a.sums, b.sums, "relaxation sums");
   expect_same_bits(a.searched, b.searched, "elastic search");
+  expect_same_bits(a.path, b.path, "path of loads");
 }
 
 /// A motion in time with every damping, springs cracking and sliding: all that it leaves, one after the other.
@@ -406,6 +446,7 @@ TEST_P(Parity, EveryNumberOfThreadsGivesTheSameBits) {
   double moved = 0;
   for (const double u : one.displacement) moved = std::max(moved, std::abs(u));
   EXPECT_GT(moved, 1e-6) << "nothing moved: the comparison would be empty";
+  expect_straight(one.path, one.displacement, 1e-12 * moved);
   if (!one.history.empty()) {
     int remembered = 0;
     for (const BlockLaw& law : problem_.setup().laws) remembered = std::max(remembered, history_size(law));

@@ -136,13 +136,62 @@ TEST(breakage, reaches_tensile_strength_in_any_direction_and_marks_the_plane) {
   EXPECT_NEAR(std::abs(dot(s.history.normal, n)), 1, 1e-9);
 }
 
+/// Strain of an opening across n.
+Strain opened(double e, const Vector& n) {
+  return {e * n.x * n.x, e * n.y * n.y, e * n.z * n.z, 2 * e * n.x * n.y, 2 * e * n.y * n.z, 2 * e * n.z * n.x};
+}
+
+TEST(breakage, an_opening_plane_turns_with_the_tension_until_half_of_its_strength_is_lost) {
+  const double size = 0.05, end = 2 * energy / (tensile * size);  // strain at which nothing holds
+  const auto at = [](double angle) { return Vector{std::sin(angle * degree), 0, std::cos(angle * degree)}; };
+  auto s = specimen(concrete(), size);
+  double angle = 0;
+  for (int i = 1; i <= 200; ++i) {  // it turns by 25 degrees while it opens to four tenths
+    angle = 25 * std::min(1.0, i / 180.0);
+    s.go_to(opened(0.4 * end * i / 200, at(angle)));
+    ASSERT_LE(principal(s.stress).value[0], tensile * (1 + 1e-9)) << i;
+  }
+  EXPECT_NEAR(std::abs(dot(s.history.normal, at(angle))), 1, 1e-9);
+  for (int i = 1; i <= 200; ++i) s.go_to(opened(end * (0.4 + 0.7 * i / 200), at(angle)));
+  EXPECT_NEAR(s.history.dissipation * size, energy, 0.01 * energy);  // that of one crack
+  s.go_to(opened(end, at(60)));
+  EXPECT_NEAR(std::abs(dot(s.history.normal, at(angle))), 1, 1e-9);  // as it stays
+}
+
+TEST(breakage, work_of_a_turning_crack_is_what_it_releases) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal;
+  Breakage law = concrete();
+  law.cohesion = 100e6;
+  for (int loop = 0; loop < 30; ++loop) {
+    auto s = specimen(law, 0.2);
+    double work = 0;
+    Strain from{};
+    for (int leg = 0; leg < 6; ++leg) {
+      Strain to{};
+      if (leg < 5)
+        for (int c = 0; c < 6; ++c) to[c] = 1e-4 * normal(random);
+      for (int i = 1; i <= 4000; ++i) {
+        const Stress before = s.stress;
+        Strain e;
+        for (int c = 0; c < 6; ++c) e[c] = from[c] + (to[c] - from[c]) * i / 4000;
+        s.go_to(e);
+        for (int c = 0; c < 6; ++c) work += 0.5 * (before[c] + s.stress[c]) * (to[c] - from[c]) / 4000;
+      }
+      from = to;
+    }
+    ASSERT_NEAR(work, s.history.dissipation, 0.01 * work + 1e-3 * tensile * tensile / young) << loop;
+  }
+}
+
 TEST(breakage, compression_cracks_on_the_plane_of_mohr_coulomb) {
   const double phi = 35 * degree, c = 4e6, first = 2 * c * std::cos(phi) / (1 - std::sin(phi));
   const auto law = concrete().prepare<double>();
-  const Vector n = law.plane_of({0, 0, -1.001 * first, 0, 0, 0});
+  const auto plane_of = [&](const Stress& stress) { return law.plane_of(stress, principal(stress), true).normal; };
+  const Vector n = plane_of({0, 0, -1.001 * first, 0, 0, 0});
   EXPECT_NEAR(std::abs(n.z), std::cos(45 * degree + phi / 2), 1e-12);
   EXPECT_NEAR(norm(n), 1, 1e-12);
-  EXPECT_EQ(norm(law.plane_of({0, 0, -0.999 * first, 0, 0, 0})), 0);
+  EXPECT_EQ(norm(plane_of({0, 0, -0.999 * first, 0, 0, 0})), 0);
 }
 
 TEST(breakage, a_plane_that_slid_keeps_coulomb_friction) {

@@ -123,7 +123,7 @@ TEST(drucker_prager, P29_oedometer) {
     Point<ConePoint<double>> point{
         drucker_prager({{"cohesion", 0.1e6}, {"friction", 10 * degree}, {"match", 0}, {"dilation", dilation}})};
     for (int i = 1; i <= 100; ++i) point.go_to({0, 0, -e * i / 100, 0, 0, 0});
-    const double a = point.law.slope, b = point.law.dilation, k = point.law.strength;
+    const double a = point.law.slope, b = point.law.trace_per_flow * point.law.bulk_ease, k = point.law.strength;
     const double d = 2 * shear / root3 - 3 * bulk * a;
     const double flow = d * (e - k / d) / (shear + 9 * bulk * a * b);
     const double axial = m * e - flow * (2 * shear / root3 - 3 * bulk * b);

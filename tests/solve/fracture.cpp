@@ -36,7 +36,7 @@ TEST(fracture, P33_a_stack_of_blocks_settles_by_its_blocks_and_its_contacts) {
   StaticCase column(model, tight);
   column.fix("bottom", 7);
   column.gravity({0, 0, -g});
-  Fracture stage(column.problem(), column.links(), 0);
+  Fracture stage(column.problem(), column.links(), {.max_events = 0});
   ASSERT_TRUE(stage.settle(1)) << stage.stop_reason();
   double settlement = 0;  // the lowest block stands on the fixed nodes without contacts
   for (int i = 0; i < n; ++i)
@@ -103,7 +103,7 @@ TEST(fracture, P39_a_cooled_bar_cracks_at_its_tensile_strength) {
   links.set_load_factor = [&](double factor) { fixed_bar.warm(factor * cooling); };
   std::vector<double> increments;
   links.increment_reached = [&](double factor, const Dissipation<double>&) { increments.push_back(factor); };
-  Fracture stage(fixed_bar.problem(), links, 100);
+  Fracture stage(fixed_bar.problem(), links, {.max_events = 100});
   ASSERT_TRUE(stage.advance(10)) << stage.stop_reason();
 
   StageResult result;
@@ -146,7 +146,7 @@ TEST(fracture, P40_a_cooled_column_cracks_near_its_top_first) {
   column.gravity({0, 0, -g});
   auto links = column.links();
   links.set_load_factor = [&](double factor) { column.warm(factor * cooling); };
-  Fracture stage(column.problem(), links, 100);
+  Fracture stage(column.problem(), links, {.max_events = 100});
   ASSERT_TRUE(stage.advance(10)) << stage.stop_reason();
 
   StageResult result;
@@ -185,7 +185,7 @@ TEST(fracture, P34_a_block_on_a_slope_stays_up_to_its_friction_angle) {
     StaticCase slope(model, {.tolerance = 1e-7});
     slope.fix("bottom", 7);
     slope.gravity(on_slope(angle * degree));
-    Fracture stage(slope.problem(), slope.links(), 0);
+    Fracture stage(slope.problem(), slope.links(), {.max_events = 0});
     EXPECT_EQ(stage.settle(1), angle < 30) << angle;
     EXPECT_EQ(stage.stop_reason(), angle < 30 ? "converged" : "moves without limit");
   }
@@ -201,7 +201,7 @@ TEST(fracture, sliding_equilibrium_does_not_depend_on_damping) {
     block.fix("bottom", 7);
     block.gravity({0, 0, -g});
     block.pressure("top", {1.5e4, 0, -2e4});
-    Fracture stage(block.problem(), block.links(), 0);
+    Fracture stage(block.problem(), block.links(), {.max_events = 0});
     ASSERT_TRUE(stage.settle(1)) << stage.stop_reason();
     answers.push_back(block.displacement());
     double slid = 0;
@@ -224,7 +224,7 @@ TEST(fracture, a_block_that_hangs_on_too_weak_a_joint_falls_free_and_is_listed) 
   StaticCase hanging(model, {.tolerance = 1e-7, .max_steps = 100000});
   hanging.fix("top", 7);
   hanging.gravity({0, 0, -g});  // 23.5 kPa
-  Fracture stage(hanging.problem(), hanging.links(), 100);
+  Fracture stage(hanging.problem(), hanging.links(), {.max_events = 100});
   EXPECT_TRUE(stage.settle(1)) << stage.stop_reason();
   StageResult result;
   stage.fill(result);
@@ -236,7 +236,7 @@ TEST(fracture, a_block_that_hangs_on_too_weak_a_joint_falls_free_and_is_listed) 
   // The next stage sets its supports anew: the block stays where it is and is listed again.
   const auto before = hanging.displacement();
   hanging.fix("top", 7);
-  Fracture next(hanging.problem(), hanging.links(), 100);
+  Fracture next(hanging.problem(), hanging.links(), {.max_events = 100});
   EXPECT_TRUE(next.settle(1)) << next.stop_reason();
   StageResult later;
   next.fill(later);
@@ -252,7 +252,7 @@ TEST(fracture, a_free_block_that_carries_a_load_stops_the_stage) {
   pulled.pressure("top", {0, 0, 2e4});
   auto links = pulled.links();
   links.surface_load = pulled.problem().to_machine(pulled.load(), 3);
-  Fracture stage(pulled.problem(), links, 100);
+  Fracture stage(pulled.problem(), links, {.max_events = 100});
   EXPECT_FALSE(stage.settle(1));
   EXPECT_EQ(stage.stop_reason(), "block free");
 }
@@ -269,7 +269,7 @@ TEST(fracture, cracking_in_tension_dissipates_the_energy_of_the_springs) {
   cooled.fix("top", 7);
   auto links = cooled.links();
   links.set_load_factor = [&](double factor) { cooled.warm(-20 * factor); };
-  Fracture stage(cooled.problem(), links, 100);
+  Fracture stage(cooled.problem(), links, {.max_events = 100});
   ASSERT_TRUE(stage.advance(5)) << stage.stop_reason();
   StageResult result;
   stage.fill(result);
@@ -284,7 +284,7 @@ TEST(fracture, an_event_limit_stops_the_stage) {
   StaticCase pulled(model, tight);
   pulled.fix("bottom", 7);
   pulled.pressure("top", {0, 0, 2e4});
-  Fracture stage(pulled.problem(), pulled.links(), 0);
+  Fracture stage(pulled.problem(), pulled.links(), {.max_events = 0});
   EXPECT_FALSE(stage.settle(1));
   EXPECT_EQ(stage.stop_reason(), "event limit");
 }

@@ -53,15 +53,28 @@ class Plot(unittest.TestCase):
     def test_the_view_along_y_shows_the_front_face_and_nothing_else(self):
         mesh = self.run_read.mesh
         view = geometry.view_along("y")
-        seen = geometry.facing(geometry.outer_faces(mesh, self.all_elements()), mesh.points, view)
+        seen = geometry.facing(geometry.outer_faces(mesh, self.all_elements(), mesh.points), mesh.points, view)
         self.assertAlmostEqual(area(seen, mesh.points), ROCK + DAM, delta=1e-6 * ROCK)
         self.assertLess(np.abs(seen.at_corners(mesh.points)[:, 1]).max(), 1e-9)
 
     def test_blocks_that_touch_hide_their_common_faces(self):
         mesh = self.run_read.mesh
-        outer = geometry.outer_faces(mesh, mesh.regions == 0)
+        outer = geometry.outer_faces(mesh, mesh.regions == 0, mesh.points)
         down = np.hypot(48 - 9.6, 48) + np.hypot(1.6, 6) + 6
         self.assertAlmostEqual(area(outer, mesh.points), 2 * DAM + (48 + 60 + 8 + down) * THICKNESS, delta=1e-6 * DAM)
+
+    def test_blocks_that_moved_far_show_what_they_turn_to_the_eye_there(self):
+        cube = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], float)
+        points = np.concatenate([cube, cube + [1, 0, 0]])
+        mesh = results.Mesh(points, np.arange(16), np.array([0, 8, 16]), np.array([12, 12]), np.zeros(2, int), ["rock"])
+        self.assertEqual(len(geometry.outer_faces(mesh, np.ones(2, bool), points)), 10)
+        c, s = np.cos(2.5), np.sin(2.5)  # about z, then away from the other
+        turned = np.concatenate([cube, cube @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]) + [3, 0, 0]])
+        outer = geometry.outer_faces(mesh, np.ones(2, bool), turned)
+        self.assertEqual(len(outer), 12)
+        seen = geometry.facing(outer, turned, geometry.view_along("y"))
+        self.assertEqual(sorted(seen.cell), [0, 1, 1])
+        self.assertTrue((geometry.normals(seen, turned)[:, 1] < 0).all())
 
     def test_a_linear_field_is_exact_on_a_profile(self):
         mesh = self.run_read.mesh
@@ -80,7 +93,7 @@ class Plot(unittest.TestCase):
         run, mesh = self.run_read, self.run_read.mesh
         faces = run.interfaces(run.output("fracture"))
         view = geometry.view_along("y")
-        surface = geometry.facing(geometry.outer_faces(mesh, self.all_elements()), mesh.points, view)
+        surface = geometry.facing(geometry.outer_faces(mesh, self.all_elements(), mesh.points), mesh.points, view)
         cut = geometry.section(mesh, self.all_elements(), 1, 4.0)
         for polygons, plane in ((surface, None), (cut, (1, 4.0))):
             corners = polygons.at_corners(mesh.points)

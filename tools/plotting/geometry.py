@@ -12,6 +12,7 @@ FACES = {
 EDGES = {kind: sorted({tuple(sorted((f[i], f[i - 1]))) for f in faces for i in range(len(f))})
          for kind, faces in FACES.items()}
 CORNERS = {12: 8, 13: 6, 10: 4}
+VISIBLE = 0.005  # of the model's size: a gap that is drawn
 
 
 @dataclasses.dataclass
@@ -101,9 +102,19 @@ def element_corners(mesh, kind):
     return elements, mesh.connectivity[mesh.offsets[elements][:, None] + np.arange(CORNERS[kind])]
 
 
-def outer_faces(mesh, elements):
-    """Faces that exactly one of the chosen elements (a mask) has. Nodes of split blocks count as one place."""
-    place = merged_nodes(mesh.points)
+def parted(place, points):
+    """`place` with numbers of their own for nodes of one place that lie visibly apart at `points`."""
+    low, high = np.full((place.max() + 1, 3), np.inf), np.full((place.max() + 1, 3), -np.inf)
+    np.minimum.at(low, place, points)
+    np.maximum.at(high, place, points)
+    apart = ((high - low).max(axis=1) > VISIBLE * np.ptp(points, axis=0).max())[place]
+    return np.where(apart, place.max() + 1 + np.arange(len(place)), place)
+
+
+def outer_faces(mesh, elements, points):
+    """Faces that exactly one of the chosen elements (a mask) has. Nodes of split blocks count as one place unless they
+    lie apart at `points`, where the mesh is drawn."""
+    place = parted(merged_nodes(mesh.points), points)
     rows, cells = [], []
     for kind, faces in FACES.items():
         numbers, corners = element_corners(mesh, kind)

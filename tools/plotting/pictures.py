@@ -89,9 +89,11 @@ def round_magnification(mesh, displacement):
     return float(power * max(step for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-12)))
 
 
-def polygons_for(run, request):
-    """(polygons, view, words of the place) that a request shows."""
+def polygons_for(run, request, points=None):
+    """(polygons, view, words of the place) that a request shows; of a surface those seen where it is drawn, at `points`
+    (undeformed)."""
     mesh = run.mesh
+    points = mesh.points if points is None else points
     unknown = [r for r in request.regions if r not in mesh.region_names]
     if unknown:
         raise PictureError(f"there is no region '{unknown[0]}'; regions: " + ", ".join(mesh.region_names))
@@ -99,7 +101,7 @@ def polygons_for(run, request):
         else np.ones(len(mesh.types), bool)
     if not request.section:
         view = geometry.view_along(request.view or "y")
-        polygons = geometry.facing(geometry.outer_faces(mesh, elements), mesh.points, view)
+        polygons = geometry.facing(geometry.outer_faces(mesh, elements, points), points, view)
         return polygons, view, "surface"
     axis, place = section_plane(run, request)
     try:
@@ -130,9 +132,9 @@ def field_picture(run, request, path):
     where, raw = run.field(request.of.partition(".")[0], output)
     values, words = component_of(request.of, raw)
     quantity = quantity_of(request.of.partition(".")[0])
-    polygons, view, place = polygons_for(run, request)
-    original = polygons.at_corners(run.mesh.points)
-    moved, deform_words = deformed(run, request, output, polygons, original)
+    points, deform_words = deformed(run, request, output)
+    polygons, view, place = polygons_for(run, request, points)
+    original, moved = polygons.at_corners(run.mesh.points), polygons.at_corners(points)
 
     shown = polygons.at_corners(values) if where == "point" else values[polygons.cell]
     around_zero = quantity.around_zero or "." in request.of and shown.min() < 0 < shown.max()
@@ -140,7 +142,7 @@ def field_picture(run, request, path):
     levels = drawing.bands(shown.min(), shown.max(), around_zero)
 
     figure, axes = drawing.figure_for(np.concatenate([original, moved]), view)
-    draw_undeformed(axes, polygons, run, original, moved, view)
+    draw_undeformed(axes, polygons, run, original, points, view)
     drawing.fill(axes, polygons, moved, shown, levels, colours, view, outline_of(run, polygons))
     drawing.frame(axes, np.concatenate([original, moved]), view)
     drawing.colour_bar(figure, axes, levels, colours, f"{words} [{quantity.unit}]")
@@ -150,21 +152,21 @@ def field_picture(run, request, path):
     drawing.save(figure, path)
 
 
-def deformed(run, request, output, polygons, original):
-    """(corner places of the deformed shape, words that say the magnification)."""
+def deformed(run, request, output):
+    """([nodes, 3] places of the deformed shape, words that say the magnification)."""
     if not request.deform:
-        return original, ""
+        return run.mesh.points, ""
     displacement = run.field("displacement", output)[1]
     factor = request.deform if request.deform > 0 else round_magnification(run.mesh, displacement)
-    return original + factor * polygons.at_corners(displacement), f", deformed \u00d7{factor:g} (grey: undeformed)"
+    return run.mesh.points + factor * displacement, f", deformed \u00d7{factor:g} (grey: undeformed)"
 
 
 def outline_of(run, polygons):
     return geometry.outline(polygons, run.mesh.points, run.mesh.regions)
 
 
-def draw_undeformed(axes, polygons, run, original, moved, view):
-    if moved is not original:
+def draw_undeformed(axes, polygons, run, original, points, view):
+    if points is not run.mesh.points:
         drawing.lines(axes, original[outline_of(run, polygons)], view, colors="0.55", linewidths=0.8,
                       linestyles=(0, (4, 2)), zorder=3)
 
@@ -173,8 +175,8 @@ def crack_picture(run, request, path):
     """Broken interface faces where they meet the surface or section, coloured by opening, over the grey body."""
     output = run.output(request.stage)
     polygons, view, place = polygons_for(run, request)
-    original = polygons.at_corners(run.mesh.points)
-    moved, deform_words = deformed(run, request, output, polygons, original)
+    points, deform_words = deformed(run, request, output)
+    original, moved = polygons.at_corners(run.mesh.points), polygons.at_corners(points)
     faces = run.interfaces(output)
     halves, state, opening = geometry.traces(polygons, original, faces, section_plane(run, request))
     broken = state > 0
@@ -184,7 +186,7 @@ def crack_picture(run, request, path):
     focus = np.concatenate([near(shown, original, faces.points) for shown in (original, moved)])
     figure, axes = drawing.figure_for(focus, view)
     tone = np.array([0.90, 0.80, 0.85, 0.75])[run.mesh.regions[polygons.cell] % 4]
-    draw_undeformed(axes, polygons, run, original, moved, view)
+    draw_undeformed(axes, polygons, run, original, points, view)
     drawing.plain(axes, polygons, moved, view, tone, outline_of(run, polygons))
     closed = opening < CLOSED
     if closed.any():

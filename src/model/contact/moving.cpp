@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 
 #include "model/contact/overlap_search.hpp"
 #include "model/loads.hpp"
+#include "physics/edge_crossing.hpp"
 #include "physics/facet.hpp"
 #include "physics/interface_laws/interface_laws.hpp"
 
@@ -16,11 +18,53 @@ namespace {
 
 constexpr double skin_share = 0.25;       ///< of the side of the smallest face
 constexpr double one_way = 0.9;           ///< cosine between faces that one probe takes together
+constexpr double edge_share = 0.5;        ///< of what a corner has of a face
+constexpr double may_turn = 0.5;          ///< sine of the angle that faces may turn by until the next search
 constexpr double faces_each_other = 0.1;  ///< least cosine between a probe's face and a triangle that it may touch
 
 Vec3<double> triangle_area(const std::vector<int>& corner, int t, const std::vector<Vec3<double>>& places) {
   const Vec3<double>& a = places[corner[3 * t]];
   return 0.5 * cross(places[corner[3 * t + 1]] - a, places[corner[3 * t + 2]] - a);
+}
+
+/// m^2 that two edges press on each other with, of the one that has less; 0: they are too far apart or lie in a way
+/// that they cannot touch before the next search.
+double crossing_area(const ContactSurface& surface, const std::vector<Vec3<double>>& places,
+                     const std::vector<Vec3<double>>& triangle_areas, int p, int t) {
+  const int* const own = &surface.edge[4 * p];
+  const int* const other = &surface.edge[4 * t];
+  for (int i = 0; i < 2; ++i)
+    if (own[i] == other[0] || own[i] == other[1]) return 0;
+  const Vec3<double>&a = places[own[0]], &b = places[other[0]];
+  const EdgeCrossing<double> crossing = cross_edges(a - b, places[own[1]] - b, places[own[2]] - b, places[own[3]] - b,
+                                                    places[other[1]] - b, places[other[2]] - b, places[other[3]] - b);
+  if (crossing.parallel || std::abs(crossing.gap) > 2 * surface.skin ||
+      std::max(crossing.own_leans, crossing.other_leans) > may_turn)
+    return 0;
+  const double skin = 2 * surface.skin, own_skin = skin / norm(places[own[1]] - a);
+  const double other_skin = skin / norm(places[other[1]] - b);
+  if (crossing.own < -own_skin || crossing.own > 1 + own_skin || crossing.other < -other_skin ||
+      crossing.other > 1 + other_skin)
+    return 0;
+  const auto seen = [&](int e, double way) {
+    double sum = 0;
+    for (int f = 2 * e; f < 2 * e + 2; ++f) {
+      const Vec3<double>& face = triangle_areas[surface.edge_facet[f]];
+      sum += surface.edge_area[f] * std::max(0.0, way * dot(face, crossing.normal) / norm(face));
+    }
+    return sum;
+  };
+  return std::min(seen(p, -1), seen(t, 1));
+}
+
+Box3 box_of(std::span<const int> nodes, const std::vector<Vec3<double>>& places) {
+  Box3 box{places[nodes[0]], places[nodes[0]]};
+  for (const int n : nodes.subspan(1))
+    for (int i = 0; i < 3; ++i) {
+      box.low[i] = std::min(box.low[i], places[n][i]);
+      box.high[i] = std::max(box.high[i], places[n][i]);
+    }
+  return box;
 }
 
 /// Faces that no other element of the same block shares.
@@ -87,6 +131,12 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
     double area;
     Vec3<double> normal;
   };
+  struct Side {
+    int triangle, further, block, region;
+    double area;
+    Vec3<double> normal;
+  };
+  std::map<std::array<int, 2>, std::vector<Side>> sides;        // of the edges, by the machine's numbers
   std::vector<std::vector<Share>> around(blocks.node_count());  // by the machine's numbers
   double smallest = std::numeric_limits<double>::infinity();
   for (const Facet& facet : block_faces(model, blocks)) {
@@ -106,6 +156,12 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
     smallest = std::min(smallest, norm(whole));
     for (std::size_t i = 0; i < nodes.size(); ++i)
       around[nodes[i]].push_back({s.triangle_count(), block, region, areas[i], (1 / norm(whole)) * whole});
+    for (std::size_t i = 0, count = nodes.size(); i < count; ++i) {
+      const int a = nodes[i], b = nodes[(i + 1) % count];
+      sides[{std::min(a, b), std::max(a, b)}].push_back({s.triangle_count(), nodes[(i + 2) % count], block, region,
+                                                         edge_share * norm(whole) / static_cast<double>(count),
+                                                         (1 / norm(whole)) * whole});
+    }
     for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
       s.corner.insert(s.corner.end(), {nodes[0], nodes[i], nodes[i + 1]});
       s.block.push_back(block);
@@ -131,6 +187,34 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
       s.first_facet.push_back(static_cast<int>(s.facet.size()));
       around[n] = std::move(others);
     }
+  const std::vector<Vec3<double>>& places = discretisation.block_points;
+  for (const auto& [nodes, faces] : sides) {
+    if (faces.size() != 2 || faces[0].block != faces[1].block) continue;
+    const bool hollow = dot(faces[0].normal, places[faces[1].further] - places[nodes[0]]) > 0;
+    if (hollow || dot(faces[0].normal, faces[1].normal) >= one_way) continue;
+    s.edge.insert(s.edge.end(), {nodes[0], nodes[1], faces[0].further, faces[1].further});
+    s.edge_facet.insert(s.edge_facet.end(), {faces[0].triangle, faces[1].triangle});
+    s.edge_area.insert(s.edge_area.end(), {faces[0].area, faces[1].area});
+    s.edge_block.push_back(faces[0].block);
+    s.edge_region.push_back(faces[0].region);
+  }
+  std::vector<std::vector<int>> edges_at(around.size());
+  for (int e = 0; e < s.edge_count(); ++e)
+    for (int end = 0; end < 2; ++end) edges_at[s.edge[4 * e + end]].push_back(e);
+  for (int e = 0; e < s.edge_count(); ++e)
+    for (int end = 0; end < 2; ++end) {
+      const int node = s.edge[4 * e + end], far = s.edge[4 * e + 1 - end];
+      const auto continues = [&](int next) {
+        const int beyond = s.edge[4 * next] == node ? s.edge[4 * next + 1] : s.edge[4 * next];
+        const Vec3<double> before = places[node] - places[far], after = places[beyond] - places[node];
+        return dot(before, after) > one_way * norm(before) * norm(after);
+      };
+      const auto next = std::find_if(edges_at[node].begin(), edges_at[node].end(), continues);
+      const EdgeEnd how = next == edges_at[node].end() ? EdgeEnd::corner
+                          : e < *next                  ? EdgeEnd::takes_more
+                                                       : EdgeEnd::takes_less;
+      s.edge_goes_on.push_back(static_cast<int>(how));
+    }
   return s;
 }
 
@@ -142,19 +226,13 @@ ContactCandidates find_candidates(const ContactSurface& surface, const std::vect
   for (const int n : surface.probe_node) of_probes.push_back({places[n] - skin, places[n] + skin});
   std::vector<Vec3<double>> area;
   for (int t = 0; t < triangles; ++t) {
-    Box3 box{places[surface.corner[3 * t]], places[surface.corner[3 * t]]};
-    for (int k = 1; k < 3; ++k)
-      for (int i = 0; i < 3; ++i) {
-        box.low[i] = std::min(box.low[i], places[surface.corner[3 * t + k]][i]);
-        box.high[i] = std::max(box.high[i], places[surface.corner[3 * t + k]][i]);
-      }
-    of_triangles.push_back(box);
+    of_triangles.push_back(box_of({&surface.corner[3 * t], 3}, places));
     area.push_back(triangle_area(surface.corner, t, places));
   }
   ContactCandidates found;
   int probe = 0;
   const auto begin_until = [&](int p) {
-    for (; probe < p; ++probe) found.first.push_back(static_cast<int>(found.triangle.size()));
+    for (; probe < p; ++probe) found.first.push_back(static_cast<int>(found.target.size()));
   };
   for (const auto& [p, t] : meeting_boxes(of_probes, of_triangles)) {
     if (surface.probe_block[p] == surface.block[t] && surface.probe_region[p] == surface.region[t]) continue;
@@ -173,24 +251,50 @@ ContactCandidates find_candidates(const ContactSurface& surface, const std::vect
     }
     if (seen < faces_each_other * whole) continue;
     begin_until(p);
-    found.triangle.push_back(t);
+    found.target.push_back(t);
     found.law.push_back(law);
     found.area.push_back(seen);
   }
   begin_until(probes);
+  std::vector<Box3> of_edges, wider;
+  for (int e = 0; e < surface.edge_count(); ++e) {
+    of_edges.push_back(box_of({&surface.edge[4 * e], 2}, places));
+    wider.push_back({of_edges[e].low - skin, of_edges[e].high + skin});
+  }
+  for (const auto& [p, t] : meeting_boxes(wider, of_edges)) {
+    if (p == t || (surface.edge_block[p] == surface.edge_block[t] && surface.edge_region[p] == surface.edge_region[t]))
+      continue;
+    const int law = surface.interface[surface.edge_region[p] * regions + surface.edge_region[t]];
+    if (law < 0) continue;
+    const double pressing = crossing_area(surface, places, area, p, t);
+    if (!(pressing > 0)) continue;
+    begin_until(probes + p);
+    found.target.push_back(t);
+    found.law.push_back(law);
+    found.area.push_back(pressing);
+  }
+  begin_until(probes + surface.edge_count());
   return found;
 }
 
 std::vector<double> contact_stiffness(const ContactSurface& surface, int node_count) {
-  const int regions = surface.regions;
+  const auto stiffest_of = [&](int region) {
+    double stiffest = 0;
+    for (int r = 0; r < surface.regions; ++r)
+      if (const int law = surface.interface[region * surface.regions + r]; law >= 0)
+        stiffest = std::max({stiffest, surface.laws[law].normal_stiffness, surface.laws[law].shear_stiffness});
+    return stiffest;
+  };
   std::vector<double> stiffness(node_count);
   for (int p = 0; p < surface.probe_count(); ++p) {
-    double stiffest = 0, area = 0;
-    for (int r = 0; r < regions; ++r)
-      if (const int law = surface.interface[surface.probe_region[p] * regions + r]; law >= 0)
-        stiffest = std::max({stiffest, surface.laws[law].normal_stiffness, surface.laws[law].shear_stiffness});
+    double area = 0;
     for (int f = surface.first_facet[p]; f < surface.first_facet[p + 1]; ++f) area += surface.area[f];
-    stiffness[surface.probe_node[p]] += 1.5 * stiffest * area;  // each side has half of the stiffness
+    stiffness[surface.probe_node[p]] +=
+        1.5 * stiffest_of(surface.probe_region[p]) * area;  // each side has half of the stiffness
+  }
+  for (int e = 0; e < surface.edge_count(); ++e) {
+    const double area = surface.edge_area[2 * e] + surface.edge_area[2 * e + 1];
+    for (int i = 0; i < 2; ++i) stiffness[surface.edge[4 * e + i]] += stiffest_of(surface.edge_region[e]) * area;
   }
   return stiffness;
 }

@@ -15,8 +15,8 @@ struct ContactLaw {
   double friction = 0;                               ///< tangent of its angle
 };
 
-/// Faces of all blocks that may touch another one, cut into triangles, and probes on their corners: a node with those
-/// of its faces that look one way. Nodes in the machine's numbering. Empty in models without large displacement.
+/// Faces of all blocks that may touch another one, in triangles, probes on their corners (a node with those of its faces
+/// that look one way), sharp edges. Nodes in the machine's numbering. Empty in models without large displacement.
 struct ContactSurface {
   std::vector<int> corner;                                 ///< [3 * triangles] counter-clockwise from outside
   std::vector<int> block, region;                          ///< [triangles]
@@ -28,6 +28,12 @@ struct ContactSurface {
   int regions = 0;
   std::vector<int> interface;  ///< [regions * regions] index into laws; -1: they never touch
   double skin = 0;               ///< m, how far beside it a search looks
+  /// Sharp edges: two nodes, then for each of the two faces a further node of it and a triangle of it.
+  std::vector<int> edge, edge_facet;         ///< [4 * edges], [2 * edges]
+  std::vector<int> edge_goes_on;             ///< [2 * edges] EdgeEnd
+  std::vector<int> edge_block, edge_region;  ///< [edges]
+  std::vector<double> edge_area;             ///< [2 * edges] m^2, what the edge presses with of each face
+  int edge_count() const { return static_cast<int>(edge_block.size()); }
   int triangle_count() const { return static_cast<int>(block.size()); }
   int probe_count() const { return static_cast<int>(probe_node.size()); }
   bool empty() const { return probe_node.empty(); }
@@ -41,19 +47,19 @@ std::vector<int> interface_of_regions(const Model& model);
 /// the joint or crackable between them. `model` has only frictional interfaces whose stiffness is given.
 ContactSurface contact_surface(const Model& model, const Blocks& blocks, const Discretisation& discretisation);
 
-/// What probes may touch until something has moved by half the skin.
+/// What probes on corners, then edges, may touch until something has moved by half the skin.
 struct ContactCandidates {
-  std::vector<int> first{0};  ///< [probes + 1]
-  std::vector<int> triangle;  ///< ascending for each probe
+  std::vector<int> first{0};  ///< [probes + edges + 1]
+  std::vector<int> target;    ///< triangle of a probe, edge of an edge; ascending for each
   std::vector<int> law;       ///< index into ContactSurface::laws
-  std::vector<double> area;   ///< m^2, that of the probe's faces seen along the triangle's normal
+  std::vector<double> area;   ///< m^2, faces of the probe or of both edges seen along the normal of contact
 };
 
 /// @param places [block nodes, the machine's numbering] m, where they are now
 ContactCandidates find_candidates(const ContactSurface& surface, const std::vector<Vec3<double>>& places);
 
 /// Stiffness, N/m, that contacts may give each block node at most, by all of its faces: the node's own and, twice,
-/// that of what presses on it.
+/// that of what presses on it; edges likewise.
 std::vector<double> contact_stiffness(const ContactSurface& surface, int node_count);
 
 }  // namespace ashlar

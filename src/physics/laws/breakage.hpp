@@ -8,11 +8,14 @@
 namespace ashlar {
 
 /// The block breakage model of the paper as a kernel sees it. Elastic until the largest principal stress reaches the
-/// tensile strength or Mohr-Coulomb is reached; from then on one plane through the point is cracked, and its direction
-/// stays. With d the damaged share of the plane, its intact share carries traction as before; the damaged share
-/// carries nothing where open, and where closed all of the pressure and friction (Alfano & Sacco 2006): secant
-/// unloading, full stiffness on closing. d follows the traction that the plane would carry undamaged so that the energy
-/// per area is the fracture energy whatever the block's size (numerics 4).
+/// tensile strength or Mohr-Coulomb is reached; from then on one plane through the point is cracked. One that slides
+/// stays as it is. One that opens turns with the largest principal stress until half of its strength is lost, then it
+/// stays too: a plane kept from the first stress on, which differs at every Gauss point, takes the shear of the crack
+/// that they make together, and cracks spread sideways (Rots 1988 on rotating cracks).
+/// With d the damaged share of the plane, its intact share carries traction as before; the damaged share carries
+/// nothing where open, and where closed all of the pressure and friction (Alfano & Sacco 2006): secant unloading, full
+/// stiffness on closing. d follows the traction that the plane would carry undamaged so that the energy per area is the
+/// fracture energy whatever the block's size (numerics 4). As a turning plane bears no shear, turning takes no energy.
 template <class Real>
 struct CrackPoint {
   static constexpr int history_size = 15;
@@ -33,7 +36,7 @@ struct CrackPoint {
     V damage{};       ///< damaged share of the crack plane
     V dissipation{};  ///< energy released by cracking and friction, J/m^3
     Vec3<V> normal;   ///< of the crack plane; 0 before it cracks
-    V length{};       ///< m, of the element across the plane
+    V length{};       ///< m, of the element across the plane; 0 while the plane turns
     Vec3<V> slip;     ///< of the damaged share, along the plane, engineering strain
     ASHLAR_HD V& operator[](int i) {
       if (i < 6) return strain[i];
@@ -59,27 +62,45 @@ struct CrackPoint {
     return lane(history.damage, l) > Real(0) || lane(test.shear, l) > cone_strength || lane(test.trace, l) > tension;
   }
 
-  /// Normal of the plane that the stress cracks, 0: none.
-  ASHLAR_HD_CALL Vec3<Real> plane_of(const Sym3<Real>& s) const {
-    const Principal<Real> p = principal(s);
-    if (p.value[0] > tension) return p.direction[0];
-    if (fma(Real(1) + sine, p.value[0], (sine - Real(1)) * p.value[2]) > strength)
-      return plane_cosine * p.direction[2] + plane_sine * p.direction[0];
+  struct Plane {
+    Vec3<Real> normal;  ///< 0: none
+    bool slides;
+  };
+  /// The plane that the stress cracks, or opens further where it is damaged and may turn.
+  ASHLAR_HD_CALL Plane plane_of(const Sym3<Real>& s, const Principal<Real>& p, bool fresh) const {
+    if (p.value[0] > tension) return {p.direction[0], false};
+    if (fma(Real(1) + sine, p.value[0], (sine - Real(1)) * p.value[2]) > strength) {
+      const Vec3<Real> n = plane_cosine * p.direction[2] + plane_sine * p.direction[0];
+      if (fresh || dot(traction(s, n), n) < Real(0)) return {n, true};  // an open one could store more than before
+    }
+    if (!fresh && p.value[0] > Real(0)) return {p.direction[0], false};
     return {};
   }
 
   /// Elastic stress to that of the cracked point; its history moves on.
   template <class Length>
   ASHLAR_HD_CALL void pull_back(Sym3<Real>& s, History<Real>& h, const Length& length) const {
-    const bool fresh = !(h.damage > Real(0));
-    const Vec3<Real> n = fresh ? plane_of(s) : h.normal;
-    if (fresh && dot(n, n) == Real(0)) return;
-    const Real across = fresh ? length(n) : h.length;
+    const bool turns = !(h.length > Real(0));
+    const Real modulus = fma(Real(2), part.shear, part.lambda);
+    Vec3<Real> n = h.normal;
+    Real across = h.length, opened = 0;  // opened: twice the energy that the damaged share lacks so far
+    bool fresh = false, stays = true;
+    if (turns) {
+      fresh = !(h.damage > Real(0));
+      const Principal<Real> p = principal(s);
+      const Plane plane = plane_of(s, p, fresh);
+      if (dot(plane.normal, plane.normal) == Real(0)) return;
+      n = plane.normal;
+      across = length(n);
+      stays = plane.slides;
+      const Real pull = larger(p.value[0], Real(0));
+      opened = pull * pull / modulus;
+    }
 
     const Vec3<Real> t = traction(s, n);
     const Real normal = dot(t, n);
     const Vec3<Real> along = t - normal * n;
-    const Real shear = norm(along), modulus = fma(Real(2), part.shear, part.lambda);
+    const Real shear = norm(along);
     const bool open = normal > Real(0);
     const Real friction = open ? Real(0) : -normal * tan_friction;
     const Real opens = open ? normal / tension : Real(0), slides = larger(shear - friction, Real(0)) / cohesion;
@@ -98,12 +119,16 @@ struct CrackPoint {
       rubbing = kept * trial;
       slip_to = h.slip + ((Real(1) - kept) / part.shear) * trial;
       h.dissipation += damage * dot(rubbing, slip_to - h.slip);
+      if (turns) {  // what is damaged already loses its cohesion on the new plane at once
+        const Vec3<Real> lost = along - rubbing;
+        h.dissipation += Real(0.5) * h.damage * (dot(lost, lost) / part.shear - opened);
+      }
     }
     const Real brittle = fma(share * tension, tension / modulus, (Real(1) - share) * cohesion * (cohesion / part.shear));
     h.dissipation += brittle * (softening.released(damage) - softening.released(h.damage));
     h.damage = damage;
     h.normal = n;
-    h.length = across;
+    if (stays || softening.strength(damage) < Real(0.5)) h.length = across;
     h.slip = slip_to;
 
     take_from_plane(s, n, part, open ? damage * normal / modulus : Real(0), damage * (along - rubbing));
@@ -117,8 +142,8 @@ struct Breakage : Elastic {
   static constexpr const char* name = "breakage";
   static constexpr const char* doc =
       "Elastic until the largest principal stress or Mohr-Coulomb strength is reached; then the block breaks on a "
-      "plane whose direction stays: it opens and slides, closes again with full stiffness, and keeps its friction. "
-      "Concrete and rock that crack.";
+      "plane, across the largest tension until half of its strength is lost and fixed from then on: it opens and "
+      "slides, closes again with full stiffness, and keeps its friction. Concrete and rock that crack.";
   static inline const LawKey<Breakage> keys[] = {
       young_key<Breakage>,
       poisson_key<Breakage>,

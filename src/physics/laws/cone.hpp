@@ -14,18 +14,39 @@ struct ConePoint {
   static constexpr Measure measure = Measure::plastic_strain;
   static constexpr bool has_plane = false;
   Elastic::Point<Real> part;
-  Real slope, dilation;
+  Real slope;
+  Real trace_per_flow;                 ///< Pa, that flow on the cone takes: 9 bulk modulus times dilation
   Real strength, hardening, residual;  ///< Pa; hardening per engineering shear strain of flow
   Real cut_off;                        ///< Pa, of I1
+  Real shear_ease, bulk_ease;          ///< 1 / shear modulus, 1 / 9 bulk modulus, 1/Pa
+  Real slope_inverse;
+  /// Flow per stress in excess, 1/Pa, where strength changes and where it has become residual: on the cone and where it
+  /// meets the cut-off.
+  struct Ease {
+    Real changing, residual;
+  } on_cone, at_cut_off;
+
+  static ConePoint of(const Elastic& material, double slope, double dilation, double strength, double hardening,
+                      double residual, double cut_off) {
+    const double mu = material.shear(), bulk = material.lambda() + 2 * mu / 3;
+    const double resistance = 9 * bulk * slope * dilation + mu;
+    return {.part = material.template prepare<Real>(),
+            .slope = Real(slope),
+            .trace_per_flow = Real(9 * bulk * dilation),
+            .strength = Real(strength),
+            .hardening = Real(hardening),
+            .residual = Real(residual),
+            .cut_off = Real(cut_off),
+            .shear_ease = Real(1 / mu),
+            .bulk_ease = Real(1 / (9 * bulk)),
+            .slope_inverse = Real(1 / slope),
+            .on_cone = {Real(1 / (resistance + hardening)), Real(1 / resistance)},
+            .at_cut_off = {Real(1 / (mu + hardening)), Real(1 / mu)}};
+  }
 
   template <class V>
   using History = PlasticHistory<V>;
   ASHLAR_HD const Elastic::Point<Real>& elastic() const { return part; }
-
-  template <class V>
-  ASHLAR_HD Sym3<V> stress(const Sym3<V>& strain, PlasticHistory<V>& history) const {
-    return plastic_stress(*this, strain, history);
-  }
 
   template <class V>
   ASHLAR_HD Invariants<V> test(const Sym3<V>& stress) const {
@@ -38,57 +59,57 @@ struct ConePoint {
   }
 
   /// Engineering shear strain of flow, sqrt(2 de:de) in sum: sqrt(3) times the equivalent plastic strain.
-  ASHLAR_HD static Real flow_of(Real equivalent) { return Real(1.7320508075688772935) * equivalent; }
-  ASHLAR_HD Real strength_at(Real flow) const { return larger(residual, fma(hardening, flow, strength)); }
-
-  /// Further flow x with demand - resistance x = strength_at(flow + x).
-  ASHLAR_HD Real further_flow(Real demand, Real resistance, Real flow) const {
-    const Real start = fma(hardening, flow, strength), x = (demand - start) / (resistance + hardening);
-    return fma(hardening, x, start) < residual ? (demand - residual) / resistance : x;
+  template <class V>
+  ASHLAR_HD static V flow_of(const V& equivalent) {
+    return V(Real(1.7320508075688772935)) * equivalent;
+  }
+  template <class V>
+  ASHLAR_HD V strength_at(const V& flow) const {
+    return larger(V(residual), fma(V(hardening), flow, V(strength)));
   }
 
-  /// Trial stress and history to those after flow.
-  ASHLAR_HD_CALL void pull_back(Sym3<Real>& s, PlasticHistory<Real>& h) const {
-    const Real mu = part.shear, bulk = fma(Real(2.0 / 3), mu, part.lambda);
+  /// Further flow x with demand - resistance x = strength_at(flow + x); 0 where there is none. Strength is the larger
+  /// of two lines, so x is the smaller of what they give.
+  template <class V>
+  ASHLAR_HD V further_flow(const V& demand, const Ease& ease, const V& flow) const {
+    const V start = fma(V(hardening), flow, V(strength));
+    const V x = smaller((demand - start) * V(ease.changing), (demand - V(residual)) * V(ease.residual));
+    return larger(x, V(Real(0)));
+  }
+
+  /// All cases are worked out and the right one taken, so that lanes, and the Gauss points of an element, go together.
+  template <class V>
+  ASHLAR_HD Sym3<V> stress(const Sym3<V>& strain, PlasticHistory<V>& h) const {
+    const V zero = V(Real(0)), mu = V(part.shear), cut = V(cut_off);
+    Sym3<V> elastic_strain;
+    for (int i = 0; i < 6; ++i) elastic_strain[i] = strain[i] - h.strain[i];
+    Sym3<V> s = part.stress(elastic_strain);
     const auto [trace, shear] = invariants(s);
-    const Real flowed = flow_of(h.equivalent);
-    Real new_trace = trace, new_shear = shear, flow = 0;
-    const auto to_tip = [&](Real limit) {
-      flow = shear / mu;
-      new_shear = 0;
-      new_trace = smaller(limit, strength_at(flowed + flow) / slope);
-    };
-    const Real demand = fma(slope, trace, shear);
-    if (demand > strength_at(flowed)) {
-      flow = further_flow(demand, fma(Real(9) * bulk * slope, dilation, mu), flowed);
-      new_shear = fma(-mu, flow, shear);
-      new_trace = fma(Real(-9) * bulk * dilation, flow, trace);
-      if (new_shear < Real(0)) to_tip(trace);
+    const V flowed = flow_of(h.equivalent);
+
+    const V most = shear * V(shear_ease), tip = strength_at(flowed + most) * V(slope_inverse);
+    const V on_shear = further_flow(fma(V(slope), trace, shear), on_cone, flowed);
+    V flow = smaller(on_shear, most);
+    V new_trace = if_less(most, on_shear, smaller(trace, tip), fma(V(-trace_per_flow), flow, trace));
+    const V at_cut = further_flow(fma(V(slope), cut, shear), at_cut_off, flowed);
+    const V trace_there = if_less(most, at_cut, smaller(cut, tip), cut);
+    flow = if_less(cut, new_trace, smaller(at_cut, most), flow);
+    new_trace = if_less(cut, new_trace, trace_there, new_trace);
+    const V new_shear = larger(fma(-mu, flow, shear), zero);
+
+    // Exactly nothing where nothing flows.
+    const V lost = shear - new_shear, less = lost * reciprocal(shear), turn = less * V(shear_ease);
+    const V stretch = (trace - new_trace) * V(bulk_ease), drop = (trace - new_trace) * V(Real(1.0 / 3));
+    const Sym3<V> d = deviator(s, trace);
+    for (int i = 0; i < 3; ++i) {
+      s[i] = fma(-less, d[i], s[i] - drop);
+      s[i + 3] = fma(-less, d[i + 3], s[i + 3]);
+      h.strain[i] = h.strain[i] + fma(V(Real(0.5)) * turn, d[i], stretch);
+      h.strain[i + 3] = fma(turn, d[i + 3], h.strain[i + 3]);
     }
-    if (new_trace > cut_off) {
-      new_trace = cut_off;
-      new_shear = shear;
-      flow = 0;
-      const Real demand_there = fma(slope, cut_off, shear);
-      if (demand_there > strength_at(flowed)) {
-        flow = further_flow(demand_there, mu, flowed);
-        new_shear = fma(-mu, flow, shear);
-        if (new_shear < Real(0)) to_tip(cut_off);
-      }
-    }
-    const Real kept = shear > Real(0) ? new_shear / shear : Real(0);
-    const Sym3<Real> d = deviator(s, trace);
-    const Real mean = new_trace * Real(1.0 / 3);
-    const Real stretch = (trace - new_trace) / (Real(9) * bulk), turn = (Real(1) - kept) / mu;
-    s = {fma(kept, d.xx, mean), fma(kept, d.yy, mean), fma(kept, d.zz, mean), kept * d.xy, kept * d.yz, kept * d.zx};
-    h.strain.xx += fma(Real(0.5) * turn, d.xx, stretch);
-    h.strain.yy += fma(Real(0.5) * turn, d.yy, stretch);
-    h.strain.zz += fma(Real(0.5) * turn, d.zz, stretch);
-    h.strain.xy = fma(turn, d.xy, h.strain.xy);
-    h.strain.yz = fma(turn, d.yz, h.strain.yz);
-    h.strain.zx = fma(turn, d.zx, h.strain.zx);
-    h.equivalent = fma(Real(0.57735026918962576451), flow, h.equivalent);
-    h.dissipation += fma(new_trace, stretch, new_shear * ((shear - new_shear) / mu));
+    h.equivalent = fma(V(Real(0.57735026918962576451)), flow, h.equivalent);
+    h.dissipation = h.dissipation + fma(new_trace, stretch, new_shear * (lost * V(shear_ease)));
+    return s;
   }
 };
 

@@ -56,13 +56,8 @@ struct DruckerPrager : Elastic {
     const Cone c = cone();
     const double k = given(cone_strength) ? cone_strength : c.strength * cohesion;
     const double floor = hardening < 0 ? c.strength * residual : 0;
-    return {Elastic::prepare<Real>(),
-            Real(c.slope),
-            Real(c.dilation),
-            Real(k),
-            Real(c.strength * hardening / root3),
-            Real(floor),
-            given(tension_cutoff) ? Real(3 * tension_cutoff) : std::numeric_limits<Real>::infinity()};
+    return ConePoint<Real>::of(*this, c.slope, c.dilation, k, c.strength * hardening / root3, floor,
+                               given(tension_cutoff) ? 3 * tension_cutoff : std::numeric_limits<double>::infinity());
   }
   std::vector<LawComplaint> complaints() const;
   DruckerPrager weakened(double factor) const;

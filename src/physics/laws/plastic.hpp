@@ -75,7 +75,7 @@ ASHLAR_HD void take_from_plane(Sym3<Real>& s, const Vec3<Real>& n, const Elastic
 template <class V>
 struct Invariants {
   V trace;  ///< I1
-  V shear;  ///< sqrt(J2)
+  V shear;  ///< sqrt(J2), never quite 0
 };
 template <class V>
 ASHLAR_HD Sym3<V> deviator(const Sym3<V>& s, const V& trace) {
@@ -88,7 +88,8 @@ ASHLAR_HD Invariants<V> invariants(const Sym3<V>& s) {
   const Sym3<V> d = deviator(s, trace);
   const V squares = fma(d.zz, d.zz, fma(d.yy, d.yy, d.xx * d.xx));
   const V shears = fma(d.zx, d.zx, fma(d.yz, d.yz, d.xy * d.xy));
-  return {trace, root(fma(V(Scalar<V>(0.5)), squares, shears))};
+  const V J2 = fma(V(Scalar<V>(0.5)), squares, shears);
+  return {trace, normal_root(larger(J2, V(least_square<Scalar<V>>)))};
 }
 
 /// A bound of the largest principal stress, as trace, and the demand on the cone inside a Mohr-Coulomb pyramid, as

@@ -29,13 +29,7 @@ struct VonMises : Elastic {
   ConePoint<Real> prepare() const {
     constexpr double root3 = 1.7320508075688772935;
     const double k = yield_stress / root3, floor = hardening < 0 ? residual_stress / root3 : 0;
-    return {Elastic::prepare<Real>(),
-            0,
-            0,
-            Real(k),
-            Real(hardening / 3),
-            Real(floor),
-            std::numeric_limits<Real>::infinity()};
+    return ConePoint<Real>::of(*this, 0, 0, k, hardening / 3, floor, std::numeric_limits<double>::infinity());
   }
   std::vector<LawComplaint> complaints() const;
   VonMises weakened(double factor) const;

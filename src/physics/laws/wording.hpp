@@ -32,8 +32,7 @@ inline void check_tip(double tensile_strength, double cohesion, double friction,
 
 /// Softening faster than the elastic spring of the point itself has no static answer.
 inline void check_softening(const ConePoint<double>& p, double hardening, std::vector<LawComplaint>& found) {
-  const double bulk = p.part.lambda + p.part.shear * 2 / 3;
-  const double resistance = p.part.shear + 9 * bulk * p.slope * p.dilation;
+  const double resistance = p.part.shear + p.slope * p.trace_per_flow;
   if (p.hardening <= -resistance) {
     char text[160];
     std::snprintf(text, sizeof text,

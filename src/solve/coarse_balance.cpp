@@ -1,5 +1,6 @@
-#include "solve/coarse_space.hpp"
+#include "solve/coarse_balance.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -12,18 +13,14 @@ namespace ashlar {
 
 namespace {
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
 using Block = std::array<double, rigid_modes * rigid_modes>;  ///< between the movements of two aggregates
 
-/// More of them would cost more in the solver of the coarse space, which is the host's, than they save in iterations.
-constexpr int most_aggregates = 1500;
-
 /// Patches, in large models several that follow each other.
-NodeAggregates patch_aggregates(const Discretisation& d) {
+CoarseBalance patch_aggregates(const Discretisation& d) {
   const Topology& t = d.blocks;
   const int together = std::max(1, (d.patch_count() + most_aggregates - 1) / most_aggregates);
   const int count = (d.patch_count() + together - 1) / together;
-  NodeAggregates a;
+  CoarseBalance a;
   a.aggregate.assign(t.node_count, -1);
   for (int p = 0; p < d.patch_count(); ++p)
     for (int e = t.patch_first_entry[p]; e < t.patch_first_entry[p + 1]; ++e)
@@ -57,7 +54,7 @@ Vec3<double> mode_at(int k, const Vec3<double>& arm, unsigned held) {
 /// Everything that the stiffness of one element or spring needs to know of its nodes.
 class Assembly {
  public:
-  Assembly(const Problem& problem, const NodeAggregates& aggregates, const std::vector<double>& fixed)
+  Assembly(const Problem& problem, const CoarseBalance& aggregates, const std::vector<double>& fixed)
       : problem_(problem), aggregates_(aggregates), fixed_(fixed) {}
 
   void add_elements() {
@@ -101,14 +98,13 @@ class Assembly {
     }
   }
 
-  /// Entries of the matrix, each once.
-  Triplets triplets() const {
-    Triplets all;
+  Eigen::MatrixXd matrix() const {
+    const int size = rigid_modes * aggregates_.count();
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size);
     for (const auto& [pair, block] : blocks_)
       for (int k = 0; k < rigid_modes; ++k)
         for (int l = 0; l < rigid_modes; ++l)
-          if (const double value = block[rigid_modes * k + l]; value != 0)
-            all.emplace_back(rigid_modes * pair.first + k, rigid_modes * pair.second + l, value);
+          all(rigid_modes * pair.first + k, rigid_modes * pair.second + l) = block[rigid_modes * k + l];
     return all;
   }
 
@@ -164,34 +160,26 @@ class Assembly {
   }
 
   const Problem& problem_;
-  const NodeAggregates& aggregates_;
+  const CoarseBalance& aggregates_;
   const std::vector<double>& fixed_;
   std::map<std::pair<int, int>, Block> blocks_;
 };
 
 }  // namespace
 
-CoarseSpace::CoarseSpace(const Problem& problem, const std::vector<double>& fixed)
-    : aggregates_(patch_aggregates(problem.discretisation)) {
-  Assembly assembly(problem, aggregates_, fixed);
+CoarseBalance coarse_balance(const Problem& problem, const std::vector<double>& fixed) {
+  CoarseBalance coarse = patch_aggregates(problem.discretisation);
+  Assembly assembly(problem, coarse, fixed);
   assembly.add_elements();
   assembly.add_springs();
-  const int size = rigid_modes * (static_cast<int>(aggregates_.first.size()) - 1);
-  Eigen::SparseMatrix<double> matrix(size, size);
-  const Triplets triplets = assembly.triplets();
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  Eigen::MatrixXd matrix = assembly.matrix();
   // Movements that nothing resists (held throughout, or one node's rotation) get a stiffness of their own.
-  double largest = 0;
-  for (int i = 0; i < size; ++i) largest = std::max(largest, matrix.coeff(i, i));
-  Eigen::SparseMatrix<double> little(size, size);
-  little.setIdentity();
-  matrix += 1e-9 * largest * little;
-  factor_.compute(matrix);
-}
-
-std::vector<double> CoarseSpace::solve(const std::vector<double>& resultants) const {
-  const Eigen::VectorXd answer = factor_.solve(Eigen::Map<const Eigen::VectorXd>(resultants.data(), resultants.size()));
-  return {answer.data(), answer.data() + answer.size()};
+  matrix.diagonal().array() += 1e-9 * matrix.diagonal().maxCoeff();
+  const Eigen::Index size = matrix.rows();
+  const Eigen::MatrixXd inverse = matrix.ldlt().solve(Eigen::MatrixXd::Identity(size, size));
+  coarse.compliance.resize(static_cast<std::size_t>(size * size));
+  Eigen::MatrixXd::Map(coarse.compliance.data(), size, size) = 0.5 * (inverse + inverse.transpose());
+  return coarse;
 }
 
 }  // namespace ashlar
