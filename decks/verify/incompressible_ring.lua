@@ -46,3 +46,22 @@ for name, r in pairs { inside = a, outside = b } do
   history(name) { at = { r, 0, 0 }, record = { "displacement" } }
   expect(name) { history = name, component = "displacement.x", value = widening(r)*m, relative = accepted }
 end
+
+-- Mean stress is the same everywhere: p a^2 / (b^2 - a^2) 2 (1 + nu) / 3. Elements that differ from their neighbours show.
+local points = {}
+for i = 1, 8 do
+  for k = 1, 5 do
+    local r, angle = a + (b - a) * i / 9, math.pi / 2 * k / 6
+    points[#points + 1] = string.format("point %d %d", i, k)
+    history(points[#points]) { at = { r * math.cos(angle), thick / 2, r * math.sin(angle) }, record = { "stress" } }
+  end
+end
+expect "mean stress" { that = function(result)
+  local wanted, worst = p * a^2 / (b^2 - a^2) * 2 * (1 + poisson) / 3, 0
+  for _, point in ipairs(points) do
+    local h = result.history(point)
+    local mean = (h.at("stress.xx") + h.at("stress.yy") + h.at("stress.zz")) / 3
+    worst = math.max(worst, math.abs(mean - wanted))
+  end
+  return worst < 0.1 * p, string.format("off by at most %.3g of the pressure inside", worst / p)
+end }
