@@ -1,6 +1,6 @@
 -- Case breakage (crack_spacing): a strip of triangles that lie anyhow, alike everywhere, is pulled apart: all of it
 --   reaches its strength at once, and one crack is to take it all.
--- Source: equilibrium: behind an open crack nothing bears load, so where cracks keep a distance no other point is
+-- Source: equilibrium by hand: behind an open crack nothing bears load, so where cracks keep a distance nothing else is
 --   cracked.
 -- Accept: of 171 points, 10 mm apart, those that are cracked lie within 30 mm along the strip, from edge to edge, at
 --   most 13 of them in 9 rows; four fifths of the load are lost. With spacing=0 21 are cracked: a band of triangles.
