@@ -4,7 +4,7 @@
 -- Accept: -5 % to +12 % on a plateau. With formulation=full hex8 goes on rising and tet4 ends at 6.55.
 -- Runs: elements=hex8 | elements=wedge6 | elements=tet4
 local args = deck.args {
-  formulation = { default = "bbar", doc = "bbar, or full to see it lock" },
+  formulation = { default = "", doc = "full to see it lock; the program's choice unless given" },
   elements    = { default = "hex8", doc = "hex8, wedge6 or tet4" },
   size        = { default = 0.25, doc = "edge of the elements" },
 }
@@ -14,7 +14,7 @@ model "footing" {}
 box "clay" { from = { 0, 0, 0 }, to = { 6, size, 4 }, size = size, elements = args.elements }
 material "clay" {
   region = "clay", law = "von_mises", density = 2000*kg/m^3, young = 100*MPa, poisson = 0.3,
-  yield_stress = math.sqrt(3) * cohesion*Pa, formulation = args.formulation,
+  yield_stress = math.sqrt(3) * cohesion*Pa, formulation = args.formulation ~= "" and args.formulation or nil,
 }
 surface "footing" { of = "clay", side = "top", box = { { -1, -1, 3.9 }, { 1, 1, 4.1 } } }
 fix "sides" { surface = { "clay.left", "clay.right", "clay.front", "clay.back" }, normal = true }

@@ -118,8 +118,8 @@ class Phases final : public Backend {
       case Phase::block_stress:
         if (large_)
           return each_turning([&](auto element, const auto& law, int b) { gauss_stress<false>(element, law, b); });
-        average_dilatation(body_);
-        return each_batch([&](auto element, const auto& law, int b) { gauss_stress<false>(element, law, b); });
+        average(body_);
+        return each_batch([&](auto element, const auto& law, int b) { block_stress(element, law, b); });
       case Phase::spring_force: return spring_force();
       case Phase::advance_history:
         average_dilatation(body_);
@@ -557,6 +557,14 @@ class Phases final : public Backend {
     const BatchView batch = batch_view(b);
     exec_.for_each(batch.element_count, GaussStrain<E, Real>{body_, batch});
     exec_.for_each(batch.element_count * E<Real>::gauss_points, GaussStress<Point, Real, moves_on>{body_, batch, law});
+  }
+  template <template <class> class E, class Point>
+  void block_stress(ElementTag<E> element, const Point& law, int b) {
+    const BatchView batch = batch_view(b);
+    if constexpr (is_averaged<E>)
+      exec_.for_each(batch.element_count, BalancedStress<Real>{body_, batch});
+    else
+      gauss_stress<false>(element, law, b);
   }
   void find_memory() {
     each_batch([&]<template <class> class E, class Point>(ElementTag<E>, const Point&, int b) {

@@ -55,7 +55,8 @@ std::vector<std::string> left_out(const Model& model) {
     if (!water_rests_on_ground(model))
       list.push_back("reservoir floor load: the water does not weigh on the ground in front of the dam");
   }
-  if (has_condition<Gravity>(model)) list.push_back("construction in lifts: gravity acts on the finished body at once");
+  if (has_condition<Gravity>(model) && model.initial_stresses.empty())
+    list.push_back("construction in lifts: gravity acts on the finished body at once");
   const bool thermal = std::any_of(model.stages.begin(), model.stages.end(), is_thermal);
   const bool passes = std::any_of(model.interfaces.begin(), model.interfaces.end(),
                                   [](const Interface& i) { return !i.resists_heat() && i.law != "elastic"; });

@@ -94,4 +94,17 @@ struct AveragedStress {
   }
 };
 
+/// One element -> its stress with the mean of its neighbourhood: what its corner forces are made of.
+template <class Real>
+struct BalancedStress {
+  BodyView<Real> body;
+  BatchView batch;
+
+  ASHLAR_HD void operator()(int i) const {
+    const StoredPoints<Real> points{body, batch, i};
+    const Sym3<Real> s = points.averaged_stress(0);
+    for (int c = 0; c < 6; ++c) body.stress[6 * batch.gauss(i, 0) + c] = s[c];
+  }
+};
+
 }  // namespace ashlar

@@ -43,22 +43,29 @@ class Assembly {
 
  private:
   /// Plastic flow keeps its volume, nearly; elements that cannot do so without stiffening give collapse loads too high.
+  /// Averaged ones where strength depends on pressure, which they share, give some too low.
   void note_locking() {
+    const std::string locking = " lock in plastic flow; collapse loads may come out tens of per cent too high";
     for (const Material& material : model_.materials) {
-      if (!is_plastic(material.law) || material.bbar.value_or(false)) continue;
+      if (!is_plastic(material.law)) continue;
+      const bool averages = material.bbar.value_or(averages_tet4(material.law));
       std::set<std::string> kinds;
       for (int e = 0; e < mesh_.element_count(); ++e) {
         const std::string& region = mesh_.region_names[mesh_.regions[e]];
         if (std::find(material.regions.begin(), material.regions.end(), region) == material.regions.end()) continue;
-        if (mesh_.shapes[e] == Shape::tet4)
-          kinds.insert("tet4");
-        else if (material.bbar)
-          kinds.insert("fully integrated elements");
+        if (mesh_.shapes[e] != Shape::tet4) {
+          if (material.bbar && !*material.bbar)
+            kinds.insert("fully integrated elements" + locking + "; formulation = \"bbar\" does not");
+        } else if (!averages) {
+          kinds.insert("tet4" + locking + ", hex8 and wedge6 do not; formulation = \"bbar\" does not" +
+                       (averages_tet4(material.law) ? "" : " in plane strain, but is too weak in triaxial states"));
+        } else if (!averages_tet4(material.law)) {
+          kinds.insert("tet4 that share their pressure (formulation = \"bbar\") under a law with friction meet limit "
+                       "loads in plane strain, but may give way at half of the strength in triaxial states; hex8 and "
+                       "wedge6 do neither");
+        }
       }
-      for (const std::string& kind : kinds)
-        model_.notes.push_back("material '" + material.name + "': " + kind +
-                               " lock in plastic flow; collapse loads may come out tens of per cent too high, "
-                               "formulation = \"bbar\" does not");
+      for (const std::string& kind : kinds) model_.notes.push_back("material '" + material.name + "': " + kind);
     }
   }
 

@@ -51,6 +51,7 @@ class ModelCheck {
     cracks_in_motion();
     functions();
     block_lengths();
+    crack_spacings();
     supports();
     complaints_.raise();
   }
@@ -116,6 +117,27 @@ class ModelCheck {
                                            " they would snap back as they crack: refine the mesh, or give a higher "
                                            "fracture energy; the longest is at " +
                                            place_text(model_.mesh.centroid(e)));
+    }
+  }
+
+  /// Cracks can be kept apart by no less than the blocks that they break.
+  void crack_spacings() {
+    for (const auto& material : model_.materials) {
+      const auto spacing = material.values.find("crack_spacing");
+      if (spacing == material.values.end() || !(spacing->second > 0)) continue;
+      double widest = 0;
+      for (int e = 0; e < model_.mesh.element_count(); ++e) {
+        const auto& name = model_.mesh.region_names[model_.mesh.regions[e]];
+        if (std::find(material.regions.begin(), material.regions.end(), name) == material.regions.end()) continue;
+        const Vec3<double> lengths = lengths_across(model_.mesh, e);
+        widest = std::max(widest, std::min({lengths.x, lengths.y, lengths.z}));
+      }
+      if (spacing->second >= 3 * widest) continue;
+      char sizes[120];
+      std::snprintf(sizes, sizeof sizes, "crack_spacing = %.4g m is less than three of its elements, of up to %.4g m",
+                    spacing->second, widest);
+      complaints_.add(material.where, title("material", material.name) + ": " + sizes +
+                                          ": it would hold nothing beside a crack; give more, or refine the mesh");
     }
   }
 

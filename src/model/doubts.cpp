@@ -38,6 +38,7 @@ class Doubts {
     for (const Condition& condition : model_.conditions) {
       const std::string who = condition.noun + (condition.name.empty() ? "" : " '" + condition.name + "'");
       if (const auto* g = std::get_if<Gravity>(&condition.kind)) gravity(condition.where, who, g->acceleration);
+      if (const auto* t = std::get_if<Traction>(&condition.kind)) pull(condition, who, t->z);
       if (const auto* w = std::get_if<WaterPressure>(&condition.kind)) level(condition, who, w->level);
       if (const auto* t = std::get_if<FixedTemperature>(&condition.kind))
         given(condition.where, who, "value", t->value);
@@ -115,6 +116,20 @@ class Doubts {
     if (a[2] > 0) add(where, who + ": points upwards, for z is up; weight is z = -9.81");
     if (a[2] == 0 && std::hypot(a[0], a[1]) > 5)
       add(where, who + ": acts sideways only, for z is up; weight is z = -9.81");
+  }
+
+  /// Ground that flows is pressed from above, hardly ever pulled.
+  void pull(const Condition& condition, const std::string& who, const Value& z) {
+    const bool flows = std::any_of(model_.materials.begin(), model_.materials.end(),
+                                   [](const Material& m) { return is_plastic(m.law); });
+    if (z.at || z.constant <= 0 || !flows) return;
+    Vec3<double> area{};
+    for (const std::string& name : condition.surfaces)
+      if (const Surface* surface = model_.mesh.find_surface(name))
+        for (const Facet& facet : surface->facets) area = area + model_.mesh.facet_area(facet);
+    if (area.z > 0.7 * norm(area))
+      add(condition.where,
+          who + ": pulls a top face upwards, for z is up; what presses has z = -" + number_text(z.constant));
   }
 
   void level(const Condition& condition, const std::string& who, double level) {

@@ -154,7 +154,8 @@ std::vector<NounRule> body_nouns() {
             key("formulation", Type::choice,
                 "full: every Gauss point has its own change of volume; bbar: that of the element's mean for hex8 and "
                 "wedge6, for tet4 that of the elements around its corners (full locks in plastic flow and near poisson "
-                "= 0.5); unless given, bbar for plastic laws on hex8 and wedge6, full for all others and on tet4")
+                "= 0.5); unless given, bbar for plastic laws on hex8 and wedge6 and for von_mises on tet4, full for all others: tet4 "
+                "with friction and bbar meet limit loads in plane strain, but are too weak in triaxial states")
                 .of({"full", "bbar"})},
        .example =
            R"(material "concrete" { region = "dam", density = 2400*kg/m^3, young = 30*GPa, poisson = 0.2, expansion = 9e-6/K })",

@@ -35,6 +35,7 @@ Fracture::Fracture(const Problem& problem, FractureLinks links, const FractureSo
       max_events_(how.max_events),
       event_group_(how.event_group),
       cracks_(problem),
+      paths_(problem),
       plastic_(problem.backend->size(Field::history) > 0),
       size_(size_of(problem.discretisation.block_points)) {
   problem.backend->keep_equilibrium(0);
@@ -45,17 +46,20 @@ bool Fracture::stop(const std::string& reason) {
   return false;
 }
 
-/// What depends on the path takes the present equilibrium as the one to go on from.
-void Fracture::move_on(double factor) {
+/// What depends on the path takes the present equilibrium as the one to go on from. False: that changed what may crack.
+bool Fracture::move_on(double factor) {
   if (auto event = cracks_.keep_history(factor)) {
     events_.push_back(std::move(*event));
     if (links_.cracked) links_.cracked(events_.back(), cracks_.cracked_fraction());
   }
+  if (paths_.any()) return !paths_.advance();
   if (plastic_) problem_.backend->run(Phase::advance_history);
+  return true;
 }
 
-void Fracture::keep(double factor, bool smooth) {
-  move_on(factor);
+/// False: what may crack changed, see move_on().
+bool Fracture::keep(double factor, bool smooth) {
+  const bool settled = move_on(factor);
   // In a linear model the search finds the way; it needs no guess.
   const bool bends = plastic_ || cracks_.can_crack() || cracks_.can_separate();
   const double advance = bends && smooth && kept_ ? factor - kept_factor_ : 0;
@@ -63,6 +67,7 @@ void Fracture::keep(double factor, bool smooth) {
   rate_known_ = rate_known_ || advance > 0;
   kept_factor_ = factor;
   kept_ = true;
+  return settled;
 }
 
 /// Bodies that nothing keeps in place now. Where no contact has come loose since none was found there are none.
@@ -147,16 +152,19 @@ bool Fracture::settle(double load_factor) {
     if (!relax()) return false;
   }
   place_.settling = true;
-  for (double used; (used = cracks_.largest_utilisation()) >= 1;) {
+  for (bool settled = false; !settled;) {
     offer_checkpoint();
-    if (static_cast<long>(events_.size()) >= max_events_) return stop("event limit");
-    move_on(load_factor);
-    events_.push_back(cracks_.break_worst_group(used, event_group_, load_factor));
-    if (links_.cracked) links_.cracked(events_.back(), cracks_.cracked_fraction());
-    if (!relax()) return false;
+    if (const double used = cracks_.largest_utilisation(); used >= 1) {
+      if (static_cast<long>(events_.size()) >= max_events_) return stop("event limit");
+      move_on(load_factor);
+      events_.push_back(cracks_.break_worst_group(used, event_group_, load_factor));
+      if (links_.cracked) links_.cracked(events_.back(), cracks_.cracked_fraction());
+    } else {
+      settled = keep(load_factor, events_.size() == place_.events_before);
+    }
+    if (!settled && !relax()) return false;
   }
   place_.settling = false;
-  keep(load_factor, events_.size() == place_.events_before);
   stop_reason_ = "converged";
   return true;
 }
@@ -217,7 +225,7 @@ bool Fracture::advance(int increments) {
       if (!reach(target)) return false;
       const double used = cracks_.largest_utilisation();
       if (used < 1) {
-        keep(target, true);
+        if (!keep(target, true) && !settle(target)) return false;
         break;
       }
       const auto factor = reach_first_crack(target, used);

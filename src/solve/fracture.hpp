@@ -6,6 +6,7 @@
 
 #include "solve/checkpoint.hpp"
 #include "solve/crack_events.hpp"
+#include "solve/crack_paths.hpp"
 #include "solve/relaxation.hpp"
 #include "solve/support.hpp"
 
@@ -68,10 +69,10 @@ class Fracture {
   bool hold_free_bodies();
   LooseBlocks describe(const std::vector<int>& blocks) const;
   bool reach(double factor);
-  void move_on(double factor);
+  bool move_on(double factor);
   std::optional<double> reach_first_crack(double high, double used);
   bool stop(const std::string& reason);
-  void keep(double factor, bool smooth);
+  bool keep(double factor, bool smooth);
   void offer_checkpoint();
 
   const Problem& problem_;
@@ -79,6 +80,7 @@ class Fracture {
   long max_events_;
   double event_group_;
   CrackEvents cracks_;
+  CrackPaths paths_;
   bool plastic_;              ///< some law remembers
   double size_;               ///< m, of the whole body
   Place place_;

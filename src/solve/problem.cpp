@@ -48,7 +48,7 @@ Setup Problem::setup() const {
   Setup setup{discretisation, contacts};
   for (const Material& m : model.materials) {
     setup.laws.push_back(make_block_law(m.law, m.values));
-    setup.bbar.push_back(m.bbar ? (*m.bbar ? 2 : 0) : is_plastic(m.law) ? 1 : 0);
+    setup.bbar.push_back(m.bbar ? (*m.bbar ? 2 : 0) : averages_tet4(m.law) ? 2 : is_plastic(m.law) ? 1 : 0);
     setup.conductivity.push_back(m.conductivity.value_or(0));
   }
   setup.surface = &surface;

@@ -104,6 +104,17 @@ TEST(breakage, a_crack_takes_the_fracture_energy_whatever_the_size) {
   for (const double size : {0.05, 0.2, 0.6}) EXPECT_NEAR(energy_of_a_crack(concrete(), size), energy, 3e-3 * energy);
 }
 
+TEST(breakage, a_point_that_is_held_does_not_open_but_slides) {
+  auto s = specimen(concrete(), 0.2);
+  s.history.length = CrackPoint<double>::held;
+  s.stretch_to(1.5 * tensile / young);
+  EXPECT_NEAR(s.stress.zz, 1.5 * tensile, 1e-3 * tensile);
+  EXPECT_EQ(s.history.damage, 0);
+  s.stretch_to(-20e6 / young);  // more than 2 c cos(phi) / (1 - sin(phi)) = 15.4 MPa
+  EXPECT_GT(s.history.damage, 0);
+  EXPECT_GT(s.history.length, 0);
+}
+
 TEST(damage, a_crack_takes_the_fracture_energy_whatever_the_size) {
   for (const double size : {0.05, 0.2, 0.6}) EXPECT_NEAR(energy_of_a_crack(crumbling(), size), energy, 3e-3 * energy);
 }
@@ -187,7 +198,7 @@ TEST(breakage, work_of_a_turning_crack_is_what_it_releases) {
 TEST(breakage, compression_cracks_on_the_plane_of_mohr_coulomb) {
   const double phi = 35 * degree, c = 4e6, first = 2 * c * std::cos(phi) / (1 - std::sin(phi));
   const auto law = concrete().prepare<double>();
-  const auto plane_of = [&](const Stress& stress) { return law.plane_of(stress, principal(stress), true).normal; };
+  const auto plane_of = [&](const Stress& stress) { return law.plane_of(stress, principal(stress), true, true).normal; };
   const Vector n = plane_of({0, 0, -1.001 * first, 0, 0, 0});
   EXPECT_NEAR(std::abs(n.z), std::cos(45 * degree + phi / 2), 1e-12);
   EXPECT_NEAR(norm(n), 1, 1e-12);

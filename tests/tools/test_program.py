@@ -205,6 +205,30 @@ class Program(unittest.TestCase):
                       "'low': the level -60 m is below the surface"):
             self.assertIn(words, said)
 
+    def test_what_elements_make_of_flow_is_noted_and_ground_that_is_pulled(self):
+        deck = self.folder / "ground.lua"
+
+        def said(law, formulation="", z="-1e5"):
+            deck.write_text(f"""model "ground" {{}}
+            box "ground" {{ from = {{ 0, 0, 0 }}, to = {{ 1, 1, 1 }}, cells = {{ 1, 1, 1 }}, elements = "tet4" }}
+            material "clay" {{ region = "ground", density = 2000, young = 1e8, poisson = 0.3, {law} {formulation} }}
+            fix {{ surface = "ground.bottom", x = 0, y = 0, z = 0 }}
+            traction "load" {{ surface = "ground.top", z = {z} }}
+            stage "load" {{ solve = static {{}} }}""", encoding="utf-8")
+            answer = self.ashlar("check", "ground.lua")
+            self.assertEqual(answer.returncode, 0, answer.stderr)
+            return " ".join(answer.stdout.replace("\nnote", "\n").split())
+
+        clay = 'law = "von_mises", yield_stress = 1e5,'
+        sand = 'law = "mohr_coulomb", cohesion = 1e4, friction = 0.5,'
+        for text in (said(clay), said(clay, 'formulation = "bbar"')):
+            self.assertNotIn("tet4 lock", text)
+            self.assertNotIn("pulls", text)
+        self.assertIn("tet4 lock in plastic flow", said(clay, 'formulation = "full"'))
+        self.assertIn("is too weak in triaxial states", said(sand))
+        self.assertIn("may give way at half of the strength", said(sand, 'formulation = "bbar"'))
+        self.assertIn("pulls a top face upwards", said(sand, z="1e5"))
+
     def test_a_deck_marked_as_utf_8_or_with_the_line_ends_of_windows_is_read(self):
         self.deck()
         deck = self.folder / "bar.lua"

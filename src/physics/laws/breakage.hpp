@@ -22,6 +22,7 @@ struct CrackPoint {
   static constexpr bool sized = true;
   static constexpr Measure measure = Measure::damage;
   static constexpr bool has_plane = true;
+  static constexpr int held = -1;  ///< in place of the length: the point does not begin to open (solve/crack_paths.hpp)
   Elastic::Point<Real> part;
   Real tension, cohesion, tan_friction;
   Real sine, strength;                    ///< sin phi, 2 c cos phi
@@ -36,7 +37,7 @@ struct CrackPoint {
     V damage{};       ///< damaged share of the crack plane
     V dissipation{};  ///< energy released by cracking and friction, J/m^3
     Vec3<V> normal;   ///< of the crack plane; 0 before it cracks
-    V length{};       ///< m, of the element across the plane; 0 while the plane turns
+    V length{};       ///< m, of the element across the plane; 0 while the plane turns, `held` where none may open
     Vec3<V> slip;     ///< of the damaged share, along the plane, engineering strain
     ASHLAR_HD V& operator[](int i) {
       if (i < 6) return strain[i];
@@ -66,12 +67,13 @@ struct CrackPoint {
     Vec3<Real> normal;  ///< 0: none
     bool slides;
   };
-  /// The plane that the stress cracks, or opens further where it is damaged and may turn.
-  ASHLAR_HD_CALL Plane plane_of(const Sym3<Real>& s, const Principal<Real>& p, bool fresh) const {
-    if (p.value[0] > tension) return {p.direction[0], false};
+  /// The plane that the stress cracks, or opens further where it is damaged and may turn. `opens`: the point is not held.
+  ASHLAR_HD_CALL Plane plane_of(const Sym3<Real>& s, const Principal<Real>& p, bool fresh, bool opens) const {
+    if (opens && p.value[0] > tension) return {p.direction[0], false};
     if (fma(Real(1) + sine, p.value[0], (sine - Real(1)) * p.value[2]) > strength) {
       const Vec3<Real> n = plane_cosine * p.direction[2] + plane_sine * p.direction[0];
-      if (fresh || dot(traction(s, n), n) < Real(0)) return {n, true};  // an open one could store more than before
+      const bool pressed = dot(traction(s, n), n) < Real(0);
+      if ((fresh && opens) || pressed) return {n, true};  // an open one could store more than before
     }
     if (!fresh && p.value[0] > Real(0)) return {p.direction[0], false};
     return {};
@@ -88,7 +90,7 @@ struct CrackPoint {
     if (turns) {
       fresh = !(h.damage > Real(0));
       const Principal<Real> p = principal(s);
-      const Plane plane = plane_of(s, p, fresh);
+      const Plane plane = plane_of(s, p, fresh, !(h.length < Real(0)));
       if (dot(plane.normal, plane.normal) == Real(0)) return;
       n = plane.normal;
       across = length(n);
@@ -138,6 +140,7 @@ struct CrackPoint {
 /// Breakage of blocks: see CrackPoint.
 struct Breakage : Elastic {
   double tensile_strength = 0, fracture_energy = 0, cohesion = 0, friction = 0, shear_fracture_energy = not_given;
+  double crack_spacing = 0;
 
   static constexpr const char* name = "breakage";
   static constexpr const char* doc =
@@ -159,6 +162,9 @@ struct Breakage : Elastic {
       {"shear_fracture_energy", &Breakage::shear_fracture_energy, dimension::fracture_energy, range::positive,
        not_given, "energy that a unit area takes to lose its cohesion by sliding, friction apart; as brittle as opening "
                   "unless given"},
+      {"crack_spacing", &Breakage::crack_spacing, dimension::length, range::not_negative, 0.0,
+       "least distance between two cracks: within it nothing opens but where a crack ends, which goes on along its own "
+       "plane and not along the mesh; in static stages; some elements, or what the structure shows; 0: cracks anywhere"},
   };
 
   template <class Real>

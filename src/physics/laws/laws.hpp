@@ -57,6 +57,9 @@ int history_size(const BlockLaw& law);
 Measure measure(const std::string& name);
 /// Whether it has plastic flow, which keeps its volume, nearly.
 inline bool is_plastic(const std::string& name) { return measure(name) == Measure::plastic_strain; }
+/// Whether tet4 of the law called `name` share their change of volume unless the deck says otherwise: where strength does
+/// not depend on pressure. With friction a uniform triaxial state of them is not stable.
+inline bool averages_tet4(const std::string& name) { return name == VonMises::name; }
 /// Whether its points remember a crack plane.
 bool has_crack_plane(const std::string& name);
 /// Of an element across a crack, m: larger ones would snap back. Infinity for laws that do not crack.
