@@ -181,7 +181,6 @@ inline constexpr int most_aggregates = 64;
 struct BalanceMeasure {
   double residual = 0;        ///< |residual|, N
   double preconditioned = 0;  ///< residual . preconditioned residual, N m
-  double along = 0;           ///< direction . stiffness . direction, N m
 };
 
 /// What a backend is built from. The model's laws by material; everything is copied to the machine.
@@ -253,6 +252,8 @@ class Backend {
   virtual void write_groups(const NodeGroups& groups) = 0;
   virtual void write_coarse(const CoarseBalance& coarse) = 0;
   virtual BalanceMeasure balance_sums() = 0;
+  /// direction . stiffness . direction of the elastic search over free components, N m.
+  virtual double balance_along() = 0;
   /// Parts of a field that is linear in a few numbers: load, heat, film, given_velocity or given_temperature is the first
   /// part plus factors times the others. No parts: forgotten, with what was given.
   virtual void write_parts(Field field, const std::vector<std::vector<double>>& parts) = 0;

@@ -61,7 +61,10 @@ class BalanceLane {
   }
   BalanceMeasure sums(Exec& exec, const BalanceView<Real>& view) {
     const auto s = exec.template combine<balance_sum_count>(view.body.nodes.node_count, BalanceSums<Real>{view});
-    return {std::sqrt(s[balance_residual]), s[balance_preconditioned], s[balance_along]};
+    return {std::sqrt(s[balance_residual]), s[balance_preconditioned]};
+  }
+  double along(Exec& exec, const BalanceView<Real>& view) {
+    return exec.template combine<1>(view.body.nodes.node_count, BalanceAlong<Real>{view})[0];
   }
   void precondition(Exec& exec, const BalanceView<Real>& view) {
     exec.for_each(view.groups.group_count, BalancePrecondition<Real>{view});

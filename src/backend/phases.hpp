@@ -263,6 +263,7 @@ class Phases final : public Backend {
     no_slip_.resize(springs_.slip.size());
   }
   BalanceMeasure balance_sums() override { return balance_.sums(exec_, balance_view()); }
+  double balance_along() override { return balance_.along(exec_, balance_view()); }
   HeatMeasure heat_sums() override { return heat_.sums(exec_); }
   MotionMeasure motion_sums(double step_before) override {
     if (!large_) return motion_.sums(exec_, body_, step_before);

@@ -175,7 +175,6 @@ struct BalanceAdvance {
 enum BalanceSum : int {
   balance_residual,        ///< residual . residual, N^2
   balance_preconditioned,  ///< residual . preconditioned, N m
-  balance_along,           ///< direction . product over free components, N m
   balance_sum_count
 };
 
@@ -188,8 +187,16 @@ struct BalanceSums {
       const double r = view.residual[i];
       s[balance_residual] += r * r;
       s[balance_preconditioned] += r * double(view.preconditioned[i]);
-      s[balance_along] += double(view.direction[i]) * double(view.product[i]);
     }
+  }
+};
+
+/// One node -> its share of direction . product over free components, in double, N m.
+template <class Real>
+struct BalanceAlong {
+  BalanceView<Real> view;
+  ASHLAR_HD void operator()(int node, double (&s)[1]) const {
+    for (int i = 3 * node; i < 3 * node + 3; ++i) s[0] += double(view.direction[i]) * double(view.product[i]);
   }
 };
 

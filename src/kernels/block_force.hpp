@@ -103,6 +103,19 @@ struct QuietStress {
   }
 };
 
+/// Points of an element that remembers nothing.
+template <class Points>
+struct FreshPoints {
+  const Points& points;
+  template <class Real>
+  ASHLAR_HD Real length(int lane, const Vec3<Real>& normal) const {
+    return points.length(lane, normal);
+  }
+  ASHLAR_HD auto warming(int g) const { return points.warming(g); }
+  template <class History>
+  ASHLAR_HD void read_history(int, History&) const {}
+};
+
 /// element_force() as a call: `read(x, u)` reads the corners.
 template <template <class> class Element, class V, class Point, class Points, class Read>
 ASHLAR_HD_CALL void remembering_force(const Point& law, const Read& read, const Points& points,
@@ -133,7 +146,10 @@ ASHLAR_HD void read_element_force(const Point& law, const Read& read, const Poin
       points.expect_more();
     }
     V again[3][corners];  // what a call writes lies in memory: f need not
-    remembering_force<Element>(law, read, points, again);
+    if (points.remembers())
+      remembering_force<Element>(law, read, points, again);
+    else
+      remembering_force<Element>(law, read, FreshPoints<Points>{points}, again);
     for (int c = 0; c < 3; ++c)
       for (int k = 0; k < corners; ++k) f[c][k] = again[c][k];
   }
