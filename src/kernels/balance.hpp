@@ -69,8 +69,8 @@ struct BalancePrecondition {
   }
 };
 
-/// Nodes of an aggregate are summed in blocks, whose lanes take every block_lanes-th node, so that lanes side by side read
-/// side by side.
+/// Nodes of an aggregate are summed in blocks, whose lanes take every block_lanes-th node, so that lanes side by side
+/// read side by side.
 inline constexpr int block_lanes = 32, nodes_per_lane = 32, nodes_per_block = block_lanes * nodes_per_lane;
 
 /// Sums of many numbers go in parts that wait for each other no more than once a round.

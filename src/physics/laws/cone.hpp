@@ -20,8 +20,8 @@ struct ConePoint {
   Real cut_off;                        ///< Pa, of I1
   Real shear_ease, bulk_ease;          ///< 1 / shear modulus, 1 / 9 bulk modulus, 1/Pa
   Real slope_inverse;
-  /// Flow per demand, 1/Pa, where strength changes and where it has become residual (and the flow that residual strength
-  /// takes from it): on the cone and where it meets the cut-off.
+  /// Flow per demand, 1/Pa, where strength changes and where it has become residual (and the flow that residual
+  /// strength takes from it): on the cone and where it meets the cut-off.
   struct Ease {
     Real changing, residual, less;
   } on_cone, at_cut_off;

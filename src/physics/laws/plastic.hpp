@@ -57,8 +57,8 @@ ASHLAR_HD Vec3<T> traction(const Sym3<T>& s, const Vec3<T>& n) {
           fma(s.zz, n.z, fma(s.yz, n.y, s.zx * n.x))};
 }
 
-/// Takes from a stress what the strain `opening` across a plane and the traction `along` it (both less than before) bear;
-/// n is the plane's unit normal, `part` elastic.
+/// Takes from a stress what the strain `opening` across a plane and the traction `along` it (both less than before)
+/// bear; n is the plane's unit normal, `part` elastic.
 template <class Real>
 ASHLAR_HD void take_from_plane(Sym3<Real>& s, const Vec3<Real>& n, const Elastic::Point<Real>& part, Real opening,
                                const Vec3<Real>& along) {
