@@ -69,6 +69,7 @@ class BalanceLane {
   void precondition(Exec& exec, const BalanceView<Real>& view) {
     exec.for_each(view.groups.group_count, BalancePrecondition<Real>{view});
     exec.for_each(block_lanes * static_cast<int>(of_block_.size()), BalanceRestrict<Real>{view});
+    exec.for_each(rigid_modes * block_lanes * view.aggregate_count, BalanceLanes<Real>{view});
     exec.for_each(rigid_modes * view.aggregate_count, BalanceResultant<Real>{view});
     exec.for_each(rigid_modes * view.aggregate_count, BalanceCoarse<Real>{view});
     exec.for_each(view.body.nodes.node_count, BalanceProlong<Real>{view});

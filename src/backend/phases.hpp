@@ -140,10 +140,10 @@ class Phases final : public Backend {
       case Phase::balance_residual: return exec_.for_each(node_count(), BalanceResidual<Real>{balance_view()});
       case Phase::balance_precondition: return balance_.precondition(exec_, balance_view());
       case Phase::balance_turn:
-        return exec_.for_each(node_count(), BalanceTurn<Real>{balance_view(), Real(controls.search_keep)});
+        return exec_.for_each(3 * node_count(), BalanceTurn<Real>{balance_view(), Real(controls.search_keep)});
       case Phase::balance_product: return balance_product();
       case Phase::balance_advance:
-        return exec_.for_each(node_count(), BalanceAdvance<Real>{balance_view(), Real(controls.search_length)});
+        return exec_.for_each(3 * node_count(), BalanceAdvance<Real>{balance_view(), Real(controls.search_length)});
       case Phase::gauss_temperature: return heat_.warm_gauss_points(exec_, warming_.data());
       case Phase::start_motion: motion_.start(node_count(), contact_count()); return moving_contacts_.start();
       case Phase::advance_springs:

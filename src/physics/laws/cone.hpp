@@ -95,10 +95,9 @@ struct ConePoint {
     const V trace_there = if_less(most, at_cut, smaller(cut, tip), cut);
     flow = if_less(cut, new_trace, smaller(at_cut, most), flow);
     new_trace = if_less(cut, new_trace, trace_there, new_trace);
-    const V new_shear = larger(fma(-mu, flow, shear), zero);
 
     // Exactly nothing where nothing flows.
-    const V lost = shear - new_shear, less = lost * reciprocal(shear), turn = less * V(shear_ease);
+    const V lost = mu * flow, less = lost * reciprocal(shear), turn = less * V(shear_ease);
     const V stretch = (trace - new_trace) * V(bulk_ease), drop = (trace - new_trace) * V(Real(1.0 / 3));
     const Sym3<V> d = deviator(s, trace);
     for (int i = 0; i < 3; ++i) {
@@ -108,7 +107,7 @@ struct ConePoint {
       h.strain[i + 3] = fma(turn, d[i + 3], h.strain[i + 3]);
     }
     h.equivalent = fma(V(Real(0.57735026918962576451)), flow, h.equivalent);
-    h.dissipation = h.dissipation + fma(new_trace, stretch, new_shear * (lost * V(shear_ease)));
+    h.dissipation = h.dissipation + fma(new_trace, stretch, larger(shear - lost, zero) * (lost * V(shear_ease)));
     return s;
   }
 };
