@@ -77,7 +77,8 @@ enum class Field : std::uint8_t {
   crack_water,          ///< [contact points] Pa, pressure where they are open; empty: all is dry
   contact_damage,       ///< [contact points] broken share of a bond that softens; empty: nothing softens
   joined,               ///< [contact points] 1: its sides held each other at the last Backend::loosened_springs
-  displacement_before,  ///< [3 * block nodes] m, of the last equilibrium (keep_equilibrium); motions: of the step before
+  displacement_before,  ///< [3 * block nodes] m, of the last equilibrium (keep_equilibrium); motions: of the step
+                        ///< before
   kept_slip,            ///< [3 * contact points] m, of the last equilibrium
   displacement_rate,    ///< [3 * block nodes] m per load factor, see keep_equilibrium; empty until there was one
   spring_dissipation,   ///< [3 * contact points] J since start_motion: of opening, shear, friction
@@ -98,19 +99,19 @@ enum class Field : std::uint8_t {
 
 /// Numbers that a step needs from the solver.
 struct Controls {
-  double local_damping = 0;      ///< Cundall's alpha
-  double viscous_damping = 0;    ///< c of one unit step, < 2
-  double break_threshold = 1;    ///< break_springs: share of strength
-  double time_step = 0;          ///< s; of displacement in motions
-  double velocity_step = 0;      ///< s, motions: half of time_step in the first step
-  double step_before = 0;        ///< s, motions: the time_step before this one; 0 in the first
-  double mass_damping = 0;       ///< motions: Rayleigh, 1/s
-  double stiffness_damping = 0;  ///< motions: Rayleigh, s
-  double contact_damping = 0;    ///< moving_contacts: s
-  double search_length = 0;      ///< conjugate gradients: alpha
-  double search_keep = 0;        ///< conjugate gradients: beta
-  int steps = 1;                 ///< relaxation_steps, heat_steps
-  Field combined{};              ///< combine_parts
+  double local_damping = 0;           ///< Cundall's alpha
+  double viscous_damping = 0;         ///< c of one unit step, < 2
+  double break_threshold = 1;         ///< break_springs: share of strength
+  double time_step = 0;               ///< s; of displacement in motions
+  double velocity_step = 0;           ///< s, motions: half of time_step in the first step
+  double step_before = 0;             ///< s, motions: the time_step before this one; 0 in the first
+  double mass_damping = 0;            ///< motions: Rayleigh, 1/s
+  double stiffness_damping = 0;       ///< motions: Rayleigh, s
+  double contact_damping = 0;         ///< moving_contacts: s
+  double search_length = 0;           ///< conjugate gradients: alpha
+  double search_keep = 0;             ///< conjugate gradients: beta
+  int steps = 1;                      ///< relaxation_steps, heat_steps
+  Field combined{};                   ///< combine_parts
   std::span<const double> factors{};  ///< combine_parts: of every part after the first
 };
 
@@ -135,9 +136,9 @@ struct HeatMeasure {
 /// Contact points that cracked together.
 struct CrackMeasure {
   int count = 0;
-  int worst = -1;             ///< the first of those that used most of their strength, or of those that softened
-  ContactState mode{};        ///< of the worst
-  Dissipation<double> lost;   ///< J, by all contact points
+  int worst = -1;            ///< the first of those that used most of their strength, or of those that softened
+  ContactState mode{};       ///< of the worst
+  Dissipation<double> lost;  ///< J, by all contact points
 };
 
 /// Contact points whose state has changed.
@@ -181,22 +182,21 @@ inline constexpr int most_aggregates = 64;
 struct BalanceMeasure {
   double residual = 0;        ///< |residual|, N
   double preconditioned = 0;  ///< residual . preconditioned residual, N m
-  double along = 0;           ///< direction . stiffness . direction, N m
 };
 
 /// What a backend is built from. The model's laws by material; everything is copied to the machine.
 struct Setup {
   const Discretisation& discretisation;
-  const ContactPoints& contacts;                  ///< block nodes numbered as in Blocks
-  std::vector<BlockLaw> laws{};                     ///< [materials]
-  std::vector<char> bbar{};                         ///< [materials] 0: full, 1: B-bar hex8 and wedge6, 2: tet4 averaged too
+  const ContactPoints& contacts;  ///< block nodes numbered as in Blocks
+  std::vector<BlockLaw> laws{};   ///< [materials]
+  std::vector<char> bbar{};       ///< [materials] 0: full, 1: B-bar hex8 and wedge6, 2: tet4 averaged too
   std::vector<SpringLaw<double>> interface_laws{};  ///< [interfaces]
-  std::vector<double> conductivity{};             ///< [materials] W/(m K); empty: no thermal stages
-  double reference_temperature = 0;               ///< degC
-  bool heat_only = false;                         ///< nothing of the stress lane: no phase or field of it
-  bool motion = false;                            ///< whether a stage is dynamic
-  bool crack_water = false;                       ///< whether water may stand in cracks
-  const ContactSurface* surface = nullptr;        ///< null or empty: no stage is in large displacement
+  std::vector<double> conductivity{};               ///< [materials] W/(m K); empty: no thermal stages
+  double reference_temperature = 0;                 ///< degC
+  bool heat_only = false;                           ///< nothing of the stress lane: no phase or field of it
+  bool motion = false;                              ///< whether a stage is dynamic
+  bool crack_water = false;                         ///< whether water may stand in cracks
+  const ContactSurface* surface = nullptr;          ///< null or empty: no stage is in large displacement
 
   /// [batches + 1] Gauss points that remember: first of each batch, Gauss points in a batch as in Batch::gauss.
   std::vector<int> first_history() const;
@@ -253,8 +253,10 @@ class Backend {
   virtual void write_groups(const NodeGroups& groups) = 0;
   virtual void write_coarse(const CoarseBalance& coarse) = 0;
   virtual BalanceMeasure balance_sums() = 0;
-  /// Parts of a field that is linear in a few numbers: load, heat, film, given_velocity or given_temperature is the first
-  /// part plus factors times the others. No parts: forgotten, with what was given.
+  /// direction . stiffness . direction of the elastic search over free components, N m.
+  virtual double balance_along() = 0;
+  /// Parts of a field that is linear in a few numbers: load, heat, film, given_velocity or given_temperature is the
+  /// first part plus factors times the others. No parts: forgotten, with what was given.
   virtual void write_parts(Field field, const std::vector<std::vector<double>>& parts) = 0;
   /// Exchange with the surroundings, nodes numbered as on the machine.
   virtual void write_films(const FilmMatrix& films) = 0;

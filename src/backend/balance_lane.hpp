@@ -61,11 +61,15 @@ class BalanceLane {
   }
   BalanceMeasure sums(Exec& exec, const BalanceView<Real>& view) {
     const auto s = exec.template combine<balance_sum_count>(view.body.nodes.node_count, BalanceSums<Real>{view});
-    return {std::sqrt(s[balance_residual]), s[balance_preconditioned], s[balance_along]};
+    return {std::sqrt(s[balance_residual]), s[balance_preconditioned]};
+  }
+  double along(Exec& exec, const BalanceView<Real>& view) {
+    return exec.template combine<1>(view.body.nodes.node_count, BalanceAlong<Real>{view})[0];
   }
   void precondition(Exec& exec, const BalanceView<Real>& view) {
     exec.for_each(view.groups.group_count, BalancePrecondition<Real>{view});
     exec.for_each(block_lanes * static_cast<int>(of_block_.size()), BalanceRestrict<Real>{view});
+    exec.for_each(rigid_modes * block_lanes * view.aggregate_count, BalanceLanes<Real>{view});
     exec.for_each(rigid_modes * view.aggregate_count, BalanceResultant<Real>{view});
     exec.for_each(rigid_modes * view.aggregate_count, BalanceCoarse<Real>{view});
     exec.for_each(view.body.nodes.node_count, BalanceProlong<Real>{view});

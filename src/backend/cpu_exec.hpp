@@ -41,7 +41,6 @@ struct PackedPoints {
   void expect_more() const { body.remembers[batch.history(first, 0)] |= 2; }
   template <class History>
   void read_history(int g, History& h) const {
-    if (!remembers()) return;  // h is 0
     for (int c = 0; c < h.size; ++c)
       for (int l = 0; l < lane_count<V>; ++l)
         h[c].lanes[l] = body.history[c * body.history_stride + batch.history(element(l), g)];

@@ -16,9 +16,9 @@
 #include "backend/machine_memory.hpp"
 #include "backend/motion_lane.hpp"
 #include "backend/moving_contacts.hpp"
-#include "backend/path_lane.hpp"
 #include "backend/node_set.hpp"
 #include "backend/parted_field.hpp"
+#include "backend/path_lane.hpp"
 #include "backend/springs.hpp"
 #include "backend/summed_array.hpp"
 #include "kernels/block_force.hpp"
@@ -32,8 +32,8 @@
 /// Every phase once, for any machine. Exec brings memory and a parallel for:
 ///   template <class T> using Array: resize(n), upload(span), download(span), copy(array of this size), data()
 ///   void for_each(int n, kernel): kernel(i) for every i < n, in any order
-///   block_forces(...): the machine's fastest driver of the element routine (see cpu_exec.hpp), same bits as BlockForce +
-///   GatherPatch
+///   block_forces(...): the machine's fastest driver of the element routine (see cpu_exec.hpp), same bits as BlockForce
+///   + GatherPatch
 namespace ashlar {
 
 struct CopyNumber {
@@ -78,9 +78,7 @@ class Phases final : public Backend {
     moving_contacts_.write(candidates, displacement);
     motion_.clear_damping_force();
   }
-  bool moved_far(double limit, double ahead) override {
-    return moving_contacts_.moved_far(exec_, body_, limit, ahead);
-  }
+  bool moved_far(double limit, double ahead) override { return moving_contacts_.moved_far(exec_, body_, limit, ahead); }
   bool runs_ahead() const override { return Exec::marches; }
   void finish() override { exec_.finish(); }
   double copy_bandwidth() override {
@@ -95,7 +93,8 @@ class Phases final : public Backend {
       const auto start = Clock::now();
       exec_.for_each(numbers, CopyNumber{from.data(), to.data()});
       exec_.finish();
-      best = std::max(best, 2.0 * numbers * sizeof(double) / std::chrono::duration<double>(Clock::now() - start).count());
+      best =
+          std::max(best, 2.0 * numbers * sizeof(double) / std::chrono::duration<double>(Clock::now() - start).count());
     }
     return best;
   }
@@ -107,9 +106,7 @@ class Phases final : public Backend {
         average(body_);
         return each_batch([&](auto element, auto law, int b) { block_force(element, law, b); });
       case Phase::gather_force: return gather_boundary(body_.force);
-      case Phase::move_nodes:
-        set_damping(controls);
-        return move_nodes();
+      case Phase::move_nodes: set_damping(controls); return move_nodes();
       case Phase::relaxation_steps: return relaxation_steps(controls.steps);
       case Phase::stop_nodes: return exec_.for_each(node_count(), StopNode<Real>{body_});
       case Phase::keep_force: return exec_.for_each(node_count(), KeepForce<Real>{body_});
@@ -143,14 +140,12 @@ class Phases final : public Backend {
       case Phase::balance_residual: return exec_.for_each(node_count(), BalanceResidual<Real>{balance_view()});
       case Phase::balance_precondition: return balance_.precondition(exec_, balance_view());
       case Phase::balance_turn:
-        return exec_.for_each(node_count(), BalanceTurn<Real>{balance_view(), Real(controls.search_keep)});
+        return exec_.for_each(3 * node_count(), BalanceTurn<Real>{balance_view(), Real(controls.search_keep)});
       case Phase::balance_product: return balance_product();
       case Phase::balance_advance:
-        return exec_.for_each(node_count(), BalanceAdvance<Real>{balance_view(), Real(controls.search_length)});
+        return exec_.for_each(3 * node_count(), BalanceAdvance<Real>{balance_view(), Real(controls.search_length)});
       case Phase::gauss_temperature: return heat_.warm_gauss_points(exec_, warming_.data());
-      case Phase::start_motion:
-        motion_.start(node_count(), contact_count());
-        return moving_contacts_.start();
+      case Phase::start_motion: motion_.start(node_count(), contact_count()); return moving_contacts_.start();
       case Phase::advance_springs:
         cracks_.changed.known = false;
         return each_contact([&](auto springs, int first) {
@@ -164,9 +159,8 @@ class Phases final : public Backend {
         });
       case Phase::damping_force: return damping_force(controls.stiffness_damping);
       case Phase::moving_contacts:
-        return moving_contacts_.add_force(
-            exec_, body_, controls.step_before, controls.contact_damping,
-            controls.contact_damping > 0 ? motion_.damping_force(node_count()) : nullptr);
+        return moving_contacts_.add_force(exec_, body_, controls.step_before, controls.contact_damping,
+                                          controls.contact_damping > 0 ? motion_.damping_force(node_count()) : nullptr);
       case Phase::step_motion: return motion_.step(exec_, body_, controls);
       case Phase::combine_parts:
         return visit_field(*this, controls.combined, [&](auto& array) {
@@ -263,6 +257,7 @@ class Phases final : public Backend {
     no_slip_.resize(springs_.slip.size());
   }
   BalanceMeasure balance_sums() override { return balance_.sums(exec_, balance_view()); }
+  double balance_along() override { return balance_.along(exec_, balance_view()); }
   HeatMeasure heat_sums() override { return heat_.sums(exec_); }
   MotionMeasure motion_sums(double step_before) override {
     if (!large_) return motion_.sums(exec_, body_, step_before);
@@ -378,15 +373,16 @@ class Phases final : public Backend {
     const std::size_t nodes = setup.discretisation.blocks.node_count, contacts = setup.contacts.count(),
                       vector = 3 * nodes * sizeof(Real);
     const std::size_t groups = contacts > 0 ? vector + nodes * (sizeof(Real) + 3 * sizeof(int)) + sizeof(int) : 0;
-    const std::size_t search = 3 * contacts * sizeof(Real) +
-                               BalanceLane<Exec, Real>::bytes(nodes, std::min(most_aggregates, setup.discretisation.patch_count()));
+    const std::size_t search =
+        3 * contacts * sizeof(Real) +
+        BalanceLane<Exec, Real>::bytes(nodes, std::min(most_aggregates, setup.discretisation.patch_count()));
     const std::size_t motion = setup.motion ? vector + (2 * nodes + 3 * contacts) * sizeof(double) : 0;
     const auto any = [](const auto& all, auto what) { return std::any_of(all.begin(), all.end(), what); };
     const bool cracks = contacts > 0 && any(setup.interface_laws, [](const auto& law) { return law.breakable; });
     const bool bends = (contacts > 0 && any(setup.interface_laws, [](const auto& law) { return law.separates(); })) ||
                        any(setup.laws, [](const auto& law) { return history_size(law) > 0; });
-    const std::size_t path = (bends + cracks) * (Summed<Real>::paired ? 2 : 1) * vector +
-                             (1 + cracks) * 3 * contacts * sizeof(Real);
+    const std::size_t path =
+        (bends + cracks) * (Summed<Real>::paired ? 2 : 1) * vector + (1 + cracks) * 3 * contacts * sizeof(Real);
     return groups + search + motion + path;
   }
   int node_count() const { return body_.nodes.node_count; }
@@ -499,9 +495,8 @@ class Phases final : public Backend {
   }
   template <template <class> class E, class Point>
   void step_patches(ElementTag<E>, const Point& law, int b, const MoveNode<Real>& step) {
-    with_warmth<Point>([&]<bool Warm>() {
-      exec_.template step_blocks<E, Warm>(body_, batch_view(b), law, discretisation_, b, step);
-    });
+    with_warmth<Point>(
+        [&]<bool Warm>() { exec_.template step_blocks<E, Warm>(body_, batch_view(b), law, discretisation_, b, step); });
   }
   /// Whether there is temperature as a constant, for laws that have a form without.
   template <class Point, class Work>
@@ -542,15 +537,14 @@ class Phases final : public Backend {
   }
   BatchView batch_view(int b) const {
     const Batch& batch = discretisation_.batches[b];
-    return {batch.first_patch, batch.patch_size, batch.element_count,
-            batch.first_slot,  batch.first_gauss, first_history_[b], corner_count(batch.shape)};
+    return {batch.first_patch, batch.patch_size,  batch.element_count,      batch.first_slot,
+            batch.first_gauss, first_history_[b], corner_count(batch.shape)};
   }
 
   template <template <class> class E, class Point>
   void block_force(ElementTag<E>, const Point& law, int b) {
-    with_warmth<Point>([&]<bool Warm>() {
-      exec_.template block_forces<E, Warm>(body_, batch_view(b), law, discretisation_, b);
-    });
+    with_warmth<Point>(
+        [&]<bool Warm>() { exec_.template block_forces<E, Warm>(body_, batch_view(b), law, discretisation_, b); });
   }
   template <bool moves_on, template <class> class E, class Point>
   void gauss_stress(ElementTag<E>, const Point& law, int b) {
@@ -570,8 +564,8 @@ class Phases final : public Backend {
     each_batch([&]<template <class> class E, class Point>(ElementTag<E>, const Point&, int b) {
       if constexpr (Point::history_size > 0) {
         const BatchView batch = batch_view(b);
-        exec_.for_each(batch.element_count, FindMemory<Real>{body_, batch, E<Real>::gauss_points, Point::history_size,
-                                                             remembers_.data()});
+        exec_.for_each(batch.element_count,
+                       FindMemory<Real>{body_, batch, E<Real>::gauss_points, Point::history_size, remembers_.data()});
       }
     });
   }
@@ -772,8 +766,8 @@ class Phases final : public Backend {
   Averaging<Exec, Real> averaging_;
   std::map<Field, PartedField<Exec, Real>> parts_;
   SummedArray<Exec, Real> u_, u_before_;
-  Array<Real> x_, v_, load_, force_, kept_force_, inverse_mass_, stiffness_, corner_force_, partial_,
-      warming_, stress_, history_, corner_gradient_;
+  Array<Real> x_, v_, load_, force_, kept_force_, inverse_mass_, stiffness_, corner_force_, partial_, warming_, stress_,
+      history_, corner_gradient_;
   Array<std::uint8_t> fixed_, remembers_;
   std::array<double, relaxation_sum_count> relaxation_sums_{};
   BodyView<Real> body_;

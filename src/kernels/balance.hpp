@@ -69,8 +69,8 @@ struct BalancePrecondition {
   }
 };
 
-/// Nodes of an aggregate are summed in blocks, whose lanes take every block_lanes-th node, so that lanes side by side read
-/// side by side.
+/// Nodes of an aggregate are summed in blocks, whose lanes take every block_lanes-th node, so that lanes side by side
+/// read side by side.
 inline constexpr int block_lanes = 32, nodes_per_lane = 32, nodes_per_block = block_lanes * nodes_per_lane;
 
 /// Sums of many numbers go in parts that wait for each other no more than once a round.
@@ -102,15 +102,29 @@ struct BalanceRestrict {
   }
 };
 
-/// One component of an aggregate's resultant, of what its blocks have.
+/// One component of an aggregate's resultant in one lane of all its blocks, in the room of the first.
+template <class Real>
+struct BalanceLanes {
+  BalanceView<Real> view;
+  ASHLAR_HD void operator()(int i) const {
+    constexpr int numbers = rigid_modes * block_lanes;
+    const int a = i / numbers, first = view.aggregate_block[a], end = view.aggregate_block[a + 1];
+    double sum[parts_of_sum] = {};
+    for (int b = first; b < end; b += parts_of_sum)
+      for (int k = 0; k < parts_of_sum; ++k)
+        if (b + k < end) sum[k] += view.partial[numbers * (b + k) + i % numbers];
+    view.partial[numbers * first + i % numbers] = total(sum);
+  }
+};
+/// One component of an aggregate's resultant.
 template <class Real>
 struct BalanceResultant {
   BalanceView<Real> view;
   ASHLAR_HD void operator()(int i) const {
-    const int a = i / rigid_modes, end = view.aggregate_block[a + 1] * block_lanes;
+    const int first = rigid_modes * block_lanes * view.aggregate_block[i / rigid_modes] + i % rigid_modes;
     double sum[parts_of_sum] = {};
-    for (int l = view.aggregate_block[a] * block_lanes; l < end; l += parts_of_sum)
-      for (int k = 0; k < parts_of_sum; ++k) sum[k] += view.partial[rigid_modes * (l + k) + i % rigid_modes];
+    for (int l = 0; l < block_lanes; l += parts_of_sum)
+      for (int k = 0; k < parts_of_sum; ++k) sum[k] += view.partial[first + rigid_modes * (l + k)];
     view.resultant[i] = total(sum);
   }
 };
@@ -143,39 +157,31 @@ struct BalanceProlong {
   }
 };
 
-/// One node -> the next direction: preconditioned residual plus `keep` times the last one; the product starts at zero
-/// where held.
+/// One component of a node -> the next direction: preconditioned residual plus `keep` times the last one.
 template <class Real>
 struct BalanceTurn {
   BalanceView<Real> view;
   Real keep;
-  ASHLAR_HD void operator()(int node) const {
-    for (int i = 3 * node; i < 3 * node + 3; ++i)
-      view.direction[i] = fma(keep, view.direction[i], view.preconditioned[i]);
-  }
+  ASHLAR_HD void operator()(int i) const { view.direction[i] = fma(keep, view.direction[i], view.preconditioned[i]); }
 };
 
-/// One node -> moved by `length` along the direction.
+/// One component of a node -> moved by `length` along the direction.
 template <class Real>
 struct BalanceAdvance {
   BalanceView<Real> view;
   Real length;
-  ASHLAR_HD void operator()(int node) const {
-    for (int c = 0; c < 3; ++c) {
-      if (view.held(node, c)) continue;
-      const int i = 3 * node + c;
-      SummedValue<Real> u = view.body.u[i];
-      u.add_product(length, view.direction[i]);
-      view.body.u.write(i, u);
-      view.residual[i] = fma(-length, view.product[i], view.residual[i]);
-    }
+  ASHLAR_HD void operator()(int i) const {
+    if (view.held(i / 3, i % 3)) return;
+    SummedValue<Real> u = view.body.u[i];
+    u.add_product(length, view.direction[i]);
+    view.body.u.write(i, u);
+    view.residual[i] = fma(-length, view.product[i], view.residual[i]);
   }
 };
 
 enum BalanceSum : int {
   balance_residual,        ///< residual . residual, N^2
   balance_preconditioned,  ///< residual . preconditioned, N m
-  balance_along,           ///< direction . product over free components, N m
   balance_sum_count
 };
 
@@ -188,8 +194,16 @@ struct BalanceSums {
       const double r = view.residual[i];
       s[balance_residual] += r * r;
       s[balance_preconditioned] += r * double(view.preconditioned[i]);
-      s[balance_along] += double(view.direction[i]) * double(view.product[i]);
     }
+  }
+};
+
+/// One node -> its share of direction . product over free components, in double, N m.
+template <class Real>
+struct BalanceAlong {
+  BalanceView<Real> view;
+  ASHLAR_HD void operator()(int node, double (&s)[1]) const {
+    for (int i = 3 * node; i < 3 * node + 3; ++i) s[0] += double(view.direction[i]) * double(view.product[i]);
   }
 };
 

@@ -23,12 +23,12 @@ struct LengthAcross {
   }
 };
 
-/// Stress of a law with memory at Gauss point g; `strain` comes with heat. The history is what the point would
-/// remember from now on.
+/// Stress of a law with memory at Gauss point g; `strain` comes with heat. The history, 0 before, is what the point
+/// would remember from now on; `remembers`: what it remembers now is not 0 throughout the element.
 template <class V, class Point, class Points>
-ASHLAR_HD_HOST_CALL Sym3<V> remembered_stress(const Point& law, const Points& points, int g, const Sym3<V>& strain,
-                                              typename Point::template History<V>& history) {
-  points.read_history(g, history);
+ASHLAR_HD_HOST_CALL Sym3<V> remembered_stress(const Point& law, const Points& points, bool remembers, int g,
+                                              const Sym3<V>& strain, typename Point::template History<V>& history) {
+  if (remembers) points.read_history(g, history);
   const Sym3<V> e = law.elastic().without_heat(strain, points.warming(g));
   if constexpr (Point::sized)
     return law.stress(e, history, LengthAcross<Points>{points});
@@ -37,23 +37,25 @@ ASHLAR_HD_HOST_CALL Sym3<V> remembered_stress(const Point& law, const Points& po
 }
 
 /// The law at the Gauss points of one element, as the element routine calls it. `points` knows the state of Gauss point
-/// g: warming(g), asked for where Warm, read_history(g, history), where the law remembers, and length(lane, normal),
-/// where it is sized.
+/// g: warming(g), asked for where Warm, remembers() and read_history(g, history), where the law remembers, and
+/// length(lane, normal), where it is sized.
 template <class Element, bool Warm, class V, class Point, class Points>
 struct PointStress {
   const Point& law;
   const Points& points;
   static constexpr bool staged = Warm && Point::history_size == 0;
   V warming[staged ? Element::gauss_points : 1];
+  bool remembers = false;
 
   ASHLAR_HD PointStress(const Point& l, const Points& p) : law(l), points(p) {
+    if constexpr (Point::history_size > 0) remembers = p.remembers();
     if constexpr (staged)
       for (int g = 0; g < Element::gauss_points; ++g) warming[g] = p.warming(g);
   }
   ASHLAR_HD Sym3<V> operator()(int g, const Sym3<V>& strain) const {
     if constexpr (Point::history_size > 0) {
       typename Point::template History<V> history{};
-      return remembered_stress(law, points, g, strain, history);
+      return remembered_stress(law, points, remembers, g, strain, history);
     } else if constexpr (staged) {
       return law.stress(law.without_heat(strain, warming[g]));
     } else {
@@ -61,9 +63,8 @@ struct PointStress {
     }
   }
   /// See Tet4Averaged.
-  ASHLAR_HD Sym3<V> averaged_stress(int g) const requires requires(const Points& p) { p.averaged_stress(0); } {
-    return points.averaged_stress(g);
-  }
+  ASHLAR_HD Sym3<V> averaged_stress(int g) const requires requires(const Points& p) { p.averaged_stress(0); }
+  { return points.averaged_stress(g); }
   /// See gauss_point_force().
   ASHLAR_HD Sym3<V> weighted(int g, const Sym3<V>& strain, const V& det, const V& inverse, const V& weight) const
       requires(Point::history_size == 0) {
@@ -162,7 +163,8 @@ struct FindMemory {
   ASHLAR_HD void operator()(int i) const {
     bool any = false;
     for (int c = 0; c < history_size; ++c)
-      for (int g = 0; g < gauss_points; ++g) any |= body.history[c * body.history_stride + batch.history(i, g)] != Real(0);
+      for (int g = 0; g < gauss_points; ++g)
+        any |= body.history[c * body.history_stride + batch.history(i, g)] != Real(0);
     remembers[batch.history(i, 0)] = any ? 1 : 0;
   }
 };
@@ -199,7 +201,6 @@ struct StoredPoints {
   }
   template <class History>
   ASHLAR_HD void read_history(int g, History& h) const {
-    if (!remembers()) return;  // h is 0
     for (int c = 0; c < h.size; ++c) h[c] = body.history[c * body.history_stride + batch.history(element, g)];
   }
   template <class History>
@@ -297,7 +298,7 @@ struct GaussStress {
     for (int c = 0; c < 6; ++c) s[c] = at[c];
     if constexpr (Point::history_size > 0) {
       typename Point::template History<Real> history{};
-      s = remembered_stress(law, points, g, s, history);
+      s = remembered_stress(law, points, points.remembers(), g, s, history);
       if constexpr (moves_on) points.write_history(g, history);
     } else {
       s = law.stress(law.without_heat(s, points.warming(g)));

@@ -26,9 +26,9 @@ struct NodeSetView {
 template <class Real>
 struct GroupView {
   int group_count = 0;
-  const int* first = nullptr;   ///< [groups + 1] into member; null: group g is node g
-  const int* member = nullptr;  ///< [nodes]
-  const Real* pull = nullptr;   ///< [groups] 1/kg
+  const int* first = nullptr;    ///< [groups + 1] into member; null: group g is node g
+  const int* member = nullptr;   ///< [nodes]
+  const Real* pull = nullptr;    ///< [groups] 1/kg
   const int* of_node = nullptr;  ///< [nodes] group of each node
   Real* shared = nullptr;        ///< [3 * groups] acceleration of the mean motion in this step
   ASHLAR_HD int begin(int g) const { return first ? first[g] : g; }

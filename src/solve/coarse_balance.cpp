@@ -14,6 +14,7 @@ namespace ashlar {
 namespace {
 
 using Block = std::array<double, rigid_modes * rigid_modes>;  ///< between the movements of two aggregates
+using Blocks = std::map<std::pair<int, int>, Block>;
 
 /// Patches, in large models several that follow each other.
 CoarseBalance patch_aggregates(const Discretisation& d) {
@@ -73,16 +74,14 @@ class Assembly {
   void add_springs() {
     const ContactPoints& contacts = problem_.contacts;
     const std::vector<int>& renumber = problem_.discretisation.blocks.new_node;
-    std::vector<int> nodes;
-    std::vector<double> weights;
-    for (int c = 0; c < contacts.count(); ++c) {
-      nodes.clear();
-      weights.clear();
+    in_parts(contacts.count(), [&](int c, Blocks& blocks) {
+      std::vector<int> nodes;
+      std::vector<double> weights;
       contacts.each_end(c, [&](int node, double weight) {
         nodes.push_back(renumber[node]);
         weights.push_back(weight);
       });
-      if (contacts.is_tip(c) || rigid(nodes)) continue;
+      if (contacts.is_tip(c) || rigid(nodes)) return;
       const Vec3<double>& n = contacts.normal[c];
       for (std::size_t i = 0; i < nodes.size(); ++i)
         for (int k = 0; k < rigid_modes; ++k) {
@@ -92,10 +91,10 @@ class Assembly {
                                                         contacts.normal_stiffness[c] * along * n);
           for (std::size_t j = 0; j < nodes.size(); ++j)
             for (int l = 0; l < rigid_modes; ++l)
-              block(aggregates_.aggregate[nodes[i]], aggregates_.aggregate[nodes[j]])[rigid_modes * k + l] +=
+              blocks[{aggregates_.aggregate[nodes[i]], aggregates_.aggregate[nodes[j]]}][rigid_modes * k + l] +=
                   weights[j] * dot(mode(nodes[j], l), pull);
         }
-    }
+    });
   }
 
   Eigen::MatrixXd matrix() const {
@@ -120,20 +119,33 @@ class Assembly {
       if (aggregates_.aggregate[n] != aggregates_.aggregate[nodes[0]] || fixed_[n] != 0) return false;
     return true;
   }
-  Block& block(int a, int b) { return blocks_[{a, b}]; }
+  /// Calls work(i, blocks) for i < count: parts side by side, each with blocks of its own, which are added in order, so
+  /// that sums depend on no number of threads.
+  template <class Work>
+  void in_parts(int count, const Work& work) {
+    constexpr int each = 8192;
+    std::vector<Blocks> parts((static_cast<std::size_t>(count) + each - 1) / each);
+#pragma omp parallel for schedule(dynamic) if (parts.size() > 1)
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      for (int i = static_cast<int>(p) * each; i < std::min(count, static_cast<int>(p + 1) * each); ++i)
+        work(i, parts[p]);
+    for (const Blocks& part : parts)
+      for (const auto& [pair, block] : part)
+        for (std::size_t i = 0; i < block.size(); ++i) blocks_[pair][i] += block[i];
+  }
 
   template <template <class> class Element, class Point>
   void add_batch(ElementTag<Element>, const Batch& batch, const Point& law) {
     constexpr int corners = Element<double>::corners;
     const Discretisation& d = problem_.discretisation;
-    for (int e = 0; e < batch.element_count; ++e) {
+    in_parts(batch.element_count, [&](int e, Blocks& blocks) {
       int nodes[corners];
       double x[3][corners], u[3][corners], f[3][corners];
       for (int k = 0; k < corners; ++k) {
         nodes[k] = d.blocks.corner_node[batch.first_slot + e * corners + k];
         for (int c = 0; c < 3; ++c) x[c][k] = d.block_points[nodes[k]][c];
       }
-      if (rigid(nodes)) continue;
+      if (rigid(nodes)) return;
       std::vector<int> touched;
       for (const int n : nodes) touched.push_back(aggregates_.aggregate[n]);
       std::sort(touched.begin(), touched.end());
@@ -146,7 +158,7 @@ class Assembly {
           }
           element_force<Element, false>(law, x, u, NoPoints{}, f);
           for (const int b : touched) {
-            Block& between = block(a, b);
+            Block& between = blocks[{a, b}];
             for (int l = 0; l < rigid_modes; ++l) {
               double value = 0;
               for (int q = 0; q < corners; ++q)
@@ -156,13 +168,13 @@ class Assembly {
             }
           }
         }
-    }
+    });
   }
 
   const Problem& problem_;
   const CoarseBalance& aggregates_;
   const std::vector<double>& fixed_;
-  std::map<std::pair<int, int>, Block> blocks_;
+  Blocks blocks_;
 };
 
 }  // namespace

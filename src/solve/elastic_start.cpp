@@ -38,7 +38,7 @@ long ElasticStart::run(const Relaxation& relaxation, double thermal_load, const 
   while (iteration < limit && before > 0) {
     ++iteration;
     backend_.run(Phase::balance_product);
-    controls.search_length = before / backend_.balance_sums().along;
+    controls.search_length = before / backend_.balance_along();
     if (!std::isfinite(controls.search_length)) break;
     backend_.run(Phase::balance_advance, controls);
     backend_.run(Phase::balance_precondition);

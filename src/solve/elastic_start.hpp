@@ -5,8 +5,8 @@
 namespace ashlar {
 
 /// Conjugate gradients to the elastic balance before relaxation takes over: far fewer element passes where nothing
-/// slides or cracks. Preconditioned by the virtual mass and by rigid movements of parts of the body (CoarseBalance). Same element
-/// routine, same bits on any number of threads.
+/// slides or cracks. Preconditioned by the virtual mass and by rigid movements of parts of the body (CoarseBalance).
+/// Same element routine, same bits on any number of threads.
 class ElasticStart {
  public:
   /// The supports have been written to the backend.

@@ -15,7 +15,18 @@
 namespace ashlar {
 namespace {
 
-enum class Blocks { continuous, mixed, tetrahedra, plastic, breaking, jointed, unmatched, softening, exploded, cracked };
+enum class Blocks {
+  continuous,
+  mixed,
+  tetrahedra,
+  plastic,
+  breaking,
+  jointed,
+  unmatched,
+  softening,
+  exploded,
+  cracked
+};
 
 Condition condition(const char* noun, const char* surface, Condition::Kind kind) {
   Condition c;
@@ -398,8 +409,8 @@ std::vector<double> tumble(const Problem& p, Backend& b, int steps) {
   }
   b.run(Phase::block_stress);
   all.insert(all.begin(), {m.kinetic, m.potential, m.rubbed, m.supplied, m.damped});
-  for (const Field f : {Field::displacement, Field::velocity, Field::force, Field::probe_memory, Field::probe_loss,
-                        Field::stress})
+  for (const Field f :
+       {Field::displacement, Field::velocity, Field::force, Field::probe_memory, Field::probe_loss, Field::stress})
     for (const double value : b.read(f)) all.push_back(value);
   return all;
 }
@@ -509,16 +520,16 @@ TEST(LargeDisplacement, EveryMachineMovesByTheSameBits) {
 std::string case_name(const testing::TestParamInfo<Parity::ParamType>& info) {
   const auto [precision, blocks, file] = info.param;
   std::string name = precision == Precision::double_precision ? "double" : "single";
-  name += blocks == Blocks::continuous  ? "_continuous"
-          : blocks == Blocks::mixed     ? "_mixed"
+  name += blocks == Blocks::continuous   ? "_continuous"
+          : blocks == Blocks::mixed      ? "_mixed"
           : blocks == Blocks::tetrahedra ? "_tetrahedra"
-          : blocks == Blocks::plastic   ? "_plastic"
-          : blocks == Blocks::breaking  ? "_breaking"
-          : blocks == Blocks::jointed   ? "_jointed"
-          : blocks == Blocks::unmatched ? "_unmatched"
-          : blocks == Blocks::softening ? "_softening"
-          : blocks == Blocks::exploded  ? "_exploded"
-                                        : "_sliding";
+          : blocks == Blocks::plastic    ? "_plastic"
+          : blocks == Blocks::breaking   ? "_breaking"
+          : blocks == Blocks::jointed    ? "_jointed"
+          : blocks == Blocks::unmatched  ? "_unmatched"
+          : blocks == Blocks::softening  ? "_softening"
+          : blocks == Blocks::exploded   ? "_exploded"
+                                         : "_sliding";
   name += std::string(file).find("r2") != std::string::npos ? "_r2" : "_r1";
   return name;
 }

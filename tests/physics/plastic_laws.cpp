@@ -162,8 +162,8 @@ TEST(drucker_prager, the_cut_off_limits_mean_stress_and_hydrostatic_tension_the_
   EXPECT_NEAR(flat.stress.xx, 0.2e6, 1e-3);
 }
 
-// Without this a balanced body jumps when what it went through is taken over: the stress of a point that has flowed lies
-// on the surface but for rounding, and there it has to stay.
+// Without this a balanced body jumps when what it went through is taken over: the stress of a point that has flowed
+// lies on the surface but for rounding, and there it has to stay.
 TEST(mohr_coulomb, a_stress_that_has_flowed_stays_where_it_is) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;

@@ -20,10 +20,10 @@ struct ConePoint {
   Real cut_off;                        ///< Pa, of I1
   Real shear_ease, bulk_ease;          ///< 1 / shear modulus, 1 / 9 bulk modulus, 1/Pa
   Real slope_inverse;
-  /// Flow per stress in excess, 1/Pa, where strength changes and where it has become residual: on the cone and where it
-  /// meets the cut-off.
+  /// Flow per demand, 1/Pa, where strength changes and where it has become residual (and the flow that residual
+  /// strength takes from it): on the cone and where it meets the cut-off.
   struct Ease {
-    Real changing, residual;
+    Real changing, residual, less;
   } on_cone, at_cut_off;
 
   static ConePoint of(const Elastic& material, double slope, double dilation, double strength, double hardening,
@@ -40,8 +40,8 @@ struct ConePoint {
             .shear_ease = Real(1 / mu),
             .bulk_ease = Real(1 / (9 * bulk)),
             .slope_inverse = Real(1 / slope),
-            .on_cone = {Real(1 / (resistance + hardening)), Real(1 / resistance)},
-            .at_cut_off = {Real(1 / (mu + hardening)), Real(1 / mu)}};
+            .on_cone = {Real(1 / (resistance + hardening)), Real(1 / resistance), Real(-residual / resistance)},
+            .at_cut_off = {Real(1 / (mu + hardening)), Real(1 / mu), Real(-residual / mu)}};
   }
 
   template <class V>
@@ -73,7 +73,7 @@ struct ConePoint {
   template <class V>
   ASHLAR_HD V further_flow(const V& demand, const Ease& ease, const V& flow) const {
     const V start = fma(V(hardening), flow, V(strength));
-    const V x = smaller((demand - start) * V(ease.changing), (demand - V(residual)) * V(ease.residual));
+    const V x = smaller((demand - start) * V(ease.changing), fma(demand, V(ease.residual), V(ease.less)));
     return larger(x, V(Real(0)));
   }
 
@@ -95,10 +95,9 @@ struct ConePoint {
     const V trace_there = if_less(most, at_cut, smaller(cut, tip), cut);
     flow = if_less(cut, new_trace, smaller(at_cut, most), flow);
     new_trace = if_less(cut, new_trace, trace_there, new_trace);
-    const V new_shear = larger(fma(-mu, flow, shear), zero);
 
     // Exactly nothing where nothing flows.
-    const V lost = shear - new_shear, less = lost * reciprocal(shear), turn = less * V(shear_ease);
+    const V lost = mu * flow, less = lost * reciprocal(shear), turn = less * V(shear_ease);
     const V stretch = (trace - new_trace) * V(bulk_ease), drop = (trace - new_trace) * V(Real(1.0 / 3));
     const Sym3<V> d = deviator(s, trace);
     for (int i = 0; i < 3; ++i) {
@@ -108,7 +107,7 @@ struct ConePoint {
       h.strain[i + 3] = fma(turn, d[i + 3], h.strain[i + 3]);
     }
     h.equivalent = fma(V(Real(0.57735026918962576451)), flow, h.equivalent);
-    h.dissipation = h.dissipation + fma(new_trace, stretch, new_shear * (lost * V(shear_ease)));
+    h.dissipation = h.dissipation + fma(new_trace, stretch, larger(shear - lost, zero) * (lost * V(shear_ease)));
     return s;
   }
 };

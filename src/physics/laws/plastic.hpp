@@ -57,8 +57,8 @@ ASHLAR_HD Vec3<T> traction(const Sym3<T>& s, const Vec3<T>& n) {
           fma(s.zz, n.z, fma(s.yz, n.y, s.zx * n.x))};
 }
 
-/// Takes from a stress what the strain `opening` across a plane and the traction `along` it (both less than before) bear;
-/// n is the plane's unit normal, `part` elastic.
+/// Takes from a stress what the strain `opening` across a plane and the traction `along` it (both less than before)
+/// bear; n is the plane's unit normal, `part` elastic.
 template <class Real>
 ASHLAR_HD void take_from_plane(Sym3<Real>& s, const Vec3<Real>& n, const Elastic::Point<Real>& part, Real opening,
                                const Vec3<Real>& along) {
@@ -87,9 +87,8 @@ ASHLAR_HD Invariants<V> invariants(const Sym3<V>& s) {
   const V trace = s.xx + s.yy + s.zz;
   const Sym3<V> d = deviator(s, trace);
   const V squares = fma(d.zz, d.zz, fma(d.yy, d.yy, d.xx * d.xx));
-  const V shears = fma(d.zx, d.zx, fma(d.yz, d.yz, d.xy * d.xy));
-  const V J2 = fma(V(Scalar<V>(0.5)), squares, shears);
-  return {trace, normal_root(larger(J2, V(least_square<Scalar<V>>)))};
+  const V shears = fma(d.zx, d.zx, fma(d.yz, d.yz, fma(d.xy, d.xy, V(least_square<Scalar<V>>))));
+  return {trace, normal_root(fma(V(Scalar<V>(0.5)), squares, shears))};
 }
 
 /// A bound of the largest principal stress, as trace, and the demand on the cone inside a Mohr-Coulomb pyramid, as
