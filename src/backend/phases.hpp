@@ -307,6 +307,7 @@ class Phases final : public Backend {
   }
   void restore(Field field, std::span<const double> values) override {
     if (field == Field::displacement_rate) path_.rate.resize(values.empty() ? 0 : u_.size());
+    moving_contacts_.make_room(field, values.size());
     visit_field(*this, field, [&](auto& array) {
       if constexpr (requires { array.save(); })
         array.restore(values);

@@ -4,40 +4,44 @@
 #include "physics/edge_crossing.hpp"
 
 /// Phase moving_contacts: contacts of blocks that move far, found anew in every step among the candidates of the last
-/// search. A probe is a node with those of its faces that look one way, which presses on triangles of other blocks, or
-/// a sharp edge, which presses on edges of other blocks where both cross.
+/// search. A node with those of its faces that look one way presses on triangles of other blocks; long sharp edges
+/// press on each other, in pairs, where a piece of one crosses a piece of the other.
 namespace ashlar {
 
-/// Frictional contact between two regions, of one of the two sides that look for each other.
+/// Frictional contact between two regions.
 template <class Real>
 struct MovingLaw {
-  Real normal_stiffness = 0, shear_stiffness = 0;  ///< Pa/m, half of the interface's
+  Real normal_stiffness = 0, shear_stiffness = 0;  ///< Pa/m
   Real tan_friction = 0;
 };
 
-/// What a probe remembers from step to step.
+/// What a probe or a pair of long edges remembers from step to step.
 template <class Real>
 struct ProbeMemory {
-  Real target = -2;  ///< triangle or edge that it is near to; -1: none, -2: it never looked
+  Real own = 0;      ///< node or edge that is near to the target
+  Real target = -2;  ///< triangle or edge; -1: none, -2: it never looked
   Real law = 0;
   Real area = 0;     ///< m^2 that it presses with, of the moment when it began to press
   Real offset = 0;   ///< m, gap from which on it presses: not above 0, below where it came in from the side
   Real pressed = 0;  ///< m, how far beyond that
   Vec3<Real> shear;  ///< m, elastic part of the movement along the triangle
 };
-inline constexpr int probe_numbers = 8;
+inline constexpr int probe_numbers = 9;
 
 template <class Real>
 struct MovingContactView {
   int probe_count = 0, node_count = 0;
-  int first_edge = 0;                     ///< probes from here on are edges
+  int first_pair = 0;                     ///< probes from here on are pairs of long edges
   const Real* x = nullptr;                ///< [3 * block nodes] m, undeformed
-  const int* probe_node = nullptr;        ///< [first_edge]
+  const int* rim_first = nullptr;         ///< [first_pair + 1]
+  const int* rim = nullptr;               ///< [..] nodes at the other ends of those edges of its faces that meet at it
+  const Real* may_dip = nullptr;          ///< [first_pair] sine by which a rim may dip into a triangle
   const int* corner = nullptr;            ///< [3 * triangles] block nodes, counter-clockwise from outside
   const int* edge = nullptr;              ///< [4 * edges] two nodes, a further one of the face on each side
-  const int* edge_goes_on = nullptr;      ///< [2 * edges] EdgeEnd
+  const int* edge_ends = nullptr;         ///< [2 * edges] 1: the long edge ends there, too
   const MovingLaw<Real>* laws = nullptr;  ///< [interfaces]
   const int* first = nullptr;             ///< [probes + 1] into the candidates
+  const int* own = nullptr;               ///< [candidates] node or edge
   const int* target = nullptr;            ///< [candidates] triangle or edge
   const int* law = nullptr;               ///< [candidates] index into laws
   const Real* area = nullptr;             ///< [candidates] m^2, what the probe presses with on this target
@@ -54,7 +58,7 @@ struct MovingContactView {
   const int* node = nullptr;             ///< [nodes with entries]
   const int* node_first = nullptr;       ///< [nodes with entries + 1]
   const int* entry_probe = nullptr;      ///< [entries]
-  const int* entry_candidate = nullptr;  ///< [entries] counted when the probe is at it; -1: the node is the probe's own
+  const int* entry_candidate = nullptr;  ///< [entries] counted when the probe is at it; -1: always
   const int* entry_corner = nullptr;     ///< [entries] which of the nodes of contact it is
 };
 
@@ -72,8 +76,8 @@ ASHLAR_HD void nodes_of_crossing(const int* own, const int* other, int (&node)[c
 }
 
 /// One probe -> the target it is at, its force and what it remembers. Normals are the present ones and the foot of
-/// the node moves with it, so the normal force has a potential and crosses edges between triangles without a jump. A
-/// contact begins without force, at whatever depth the node comes in; what it stores when it ends is booked as lost.
+/// the node moves with it, so the normal force has a potential. A contact begins without force, at whatever depth the
+/// node comes in, and goes on from piece to piece with the force it has; what it stores when it ends is booked as lost.
 template <class Real>
 struct MoveContact {
   MovingContactView<Real> contacts;
@@ -86,8 +90,8 @@ struct MoveContact {
     int candidate = -1;
     Real gap = 0;
     Vec3<Real> normal;
-    bool beside = false;      ///< it lies neither over nor behind the target
-    bool takes_over = false;  ///< it is where one piece of a long edge hands over to the next
+    Vec3<Real> normal_before, moved_before;  ///< of what it pressed on; m that it moved over that in the last step
+    bool beside = false;                     ///< it lies neither over nor behind the target
     Real weight[contact_nodes];
   };
 
@@ -99,29 +103,27 @@ struct MoveContact {
     const int law_index = touches ? contacts.law[foot.candidate] : -1;
     double lost = 0;
     if (!fresh && (!touches || now.target < Real(0) || now.law != Real(law_index))) {
-      lost += stored_before;
+      lost += stored_before + half_step(now, foot);
       now.pressed = 0;
       now.shear = {};
       now.offset = foot.gap < Real(0) ? foot.gap : Real(0);
-      if (foot.takes_over && foot.gap < Real(0)) {
-        now.offset = 0;
-        now.pressed = -foot.gap;
-        now.area = contacts.area[foot.candidate];
-        const double stiffness = double(contacts.laws[law_index].normal_stiffness) * double(now.area);
-        lost -= 0.5 * stiffness * double(now.pressed) * double(now.pressed);  // which the piece before it books as lost
-      }
     }
     Vec3<Real> force, resisting;
-    now.target = Real(-1);
+    if (!touches) now.target = Real(-1);
     if (touches) {
-      now.target = Real(contacts.target[foot.candidate]);
+      const int own = contacts.own[foot.candidate], target = contacts.target[foot.candidate];
       now.law = Real(law_index);
       if (now.pressed == Real(0)) now.area = contacts.area[foot.candidate];
       const MovingLaw<Real> law = contacts.laws[law_index];
       const Real normal_stiffness = law.normal_stiffness * now.area, shear_stiffness = law.shear_stiffness * now.area;
-      const Vec3<Real> speed = relative_speed(p, contacts.target[foot.candidate], foot),
-                       sliding = flat(speed, foot.normal);
-      lost += press(now, foot, Real(2) * step * norm(speed), fresh, normal_stiffness);
+      const Vec3<Real> speed = relative_speed(p, own, target, foot), sliding = flat(speed, foot.normal);
+      if (!fresh && (now.own != Real(own) || now.target != Real(target))) {
+        const Real sinks = -step * dot(speed, foot.normal), sank = -dot(foot.moved_before, foot.normal_before);
+        lost += hand_over(now, foot.gap, now.pressed > Real(0) ? Real(0.5) * (sinks + sank) : sinks, normal_stiffness);
+      }
+      now.own = Real(own);
+      now.target = Real(target);
+      press(now, foot.gap);
       const Real push = normal_stiffness * now.pressed, limit = push * law.tan_friction;
 
       const Vec3<Real> before = flat(now.shear, foot.normal), trial = before + step * sliding;
@@ -163,17 +165,28 @@ struct MoveContact {
     const double normal = double(law.normal_stiffness) * double(m.pressed) * double(m.pressed);
     return 0.5 * double(m.area) * (normal + double(law.shear_stiffness) * double(dot(m.shear, m.shear)));
   }
-  /// The depth beyond the offset at the present gap. It changes by what can have moved in the step: where the probe has
-  /// come to a triangle that lies another way it begins without force, and what it stored beyond is lost, J.
-  ASHLAR_HD double press(ProbeMemory<Real>& now, const Foot& foot, Real moved, bool fresh, Real stiffness) const {
-    const Real before = now.pressed;
-    if (foot.gap > now.offset) now.offset = foot.gap < Real(0) ? foot.gap : Real(0);
-    const Real most = before + moved + Real(1e-9) * contacts.reach;
-    if (!fresh && now.offset - foot.gap > most) now.offset = foot.gap + most;
-    now.pressed = now.offset - foot.gap;
+  /// Work of the last force over the half of the last step, J.
+  ASHLAR_HD double half_step(const ProbeMemory<Real>& m, const Foot& foot) const {
+    if (!(m.pressed > Real(0))) return 0;
+    const MovingLaw<Real> law = contacts.laws[int(m.law)];
+    const double normal =
+        -double(law.normal_stiffness) * double(m.pressed * dot(foot.moved_before, foot.normal_before));
+    return 0.5 * double(m.area) * (normal + double(law.shear_stiffness) * double(dot(m.shear, foot.moved_before)));
+  }
+  /// On another piece than before it lies as deep as it did and the step has brought: a step between two pieces becomes
+  /// offset. What does not lie that deep there has lost the difference, J.
+  ASHLAR_HD static double hand_over(ProbeMemory<Real>& now, Real gap, Real sinks, Real stiffness) {
+    const Real pressed = now.pressed + sinks > Real(0) ? now.pressed + sinks : Real(0);
+    const Real deepest = gap < Real(0) ? -gap : Real(0);
+    now.offset = pressed < deepest ? gap + pressed : Real(0);
+    if (!(now.pressed > Real(0) && pressed > deepest)) return 0;
+    return 0.5 * double(stiffness) * (double(pressed) * double(pressed) - double(deepest) * double(deepest));
+  }
+  /// The depth beyond the offset at the present gap.
+  ASHLAR_HD static void press(ProbeMemory<Real>& now, Real gap) {
+    if (gap > now.offset) now.offset = gap < Real(0) ? gap : Real(0);
+    now.pressed = now.offset - gap;
     if (now.pressed < Real(0)) now.pressed = 0;
-    if (fresh || before - now.pressed <= moved + Real(1e-9) * contacts.reach) return 0;
-    return 0.5 * double(stiffness) * (double(before) * double(before) - double(now.pressed) * double(now.pressed));
   }
   ASHLAR_HD static Vec3<Real> flat(const Vec3<Real>& a, const Vec3<Real>& n) { return a - dot(a, n) * n; }
   /// From the probe's node to another one.
@@ -183,23 +196,22 @@ struct MoveContact {
       r[i] = (contacts.x[3 * to + i] - contacts.x[3 * from + i]) + difference(u[3 * to + i], u[3 * from + i]);
     return r;
   }
-  ASHLAR_HD Vec3<Real> relative_speed(int p, int target, const Foot& foot) const {
+  ASHLAR_HD Vec3<Real> relative_speed(int p, int own, int target, const Foot& foot) const {
     int node[contact_nodes];
-    const int e = p - contacts.first_edge;
-    if (e < 0)
-      nodes_of_contact(contacts.probe_node[p], contacts.corner + 3 * target, node);
+    if (p < contacts.first_pair)
+      nodes_of_contact(own, contacts.corner + 3 * target, node);
     else
-      nodes_of_crossing(contacts.edge + 4 * e, contacts.edge + 4 * target, node);
+      nodes_of_crossing(contacts.edge + 4 * own, contacts.edge + 4 * target, node);
     Vec3<Real> speed;
     for (int k = 0; k < contact_nodes; ++k)
       for (int i = 0; i < 3; ++i) speed[i] = fma(-foot.weight[k], v[3 * node[k] + i], speed[i]);
     return speed;
   }
-  ASHLAR_HD Foot foot_on(int p, int target) const {
-    return p < contacts.first_edge ? on_triangle(contacts.probe_node[p], contacts.corner + 3 * target)
-                                   : on_edge(p - contacts.first_edge, target);
+  ASHLAR_HD Foot foot_on(int p, int own, int target) const {
+    return p < contacts.first_pair ? on_triangle(p, own, contacts.corner + 3 * target) : on_edge(own, target);
   }
-  ASHLAR_HD Foot on_triangle(int node, const int* corner) const {
+  /// A node bears only on what none of its own rims dips into: otherwise something else of the two bodies touches.
+  ASHLAR_HD Foot on_triangle(int p, int node, const int* corner) const {
     constexpr Real outside = Real(-1e-4);
     const Vec3<Real> a = way(node, corner[0]), b = way(node, corner[1]), c = way(node, corner[2]);
     const Vec3<Real> across = cross(b - a, c - a);
@@ -212,11 +224,16 @@ struct MoveContact {
     foot.weight[2] = Real(1) - foot.weight[0] - foot.weight[1];
     foot.weight[3] = Real(-1);
     foot.beside = foot.weight[0] < outside || foot.weight[1] < outside || foot.weight[2] < outside;
+    for (int i = contacts.rim_first[p]; i < contacts.rim_first[p + 1] && !foot.beside; ++i) {
+      const Vec3<Real> rim = way(node, contacts.rim[i]);
+      foot.beside = dot(rim, foot.normal) < -contacts.may_dip[p] * norm(rim);
+    }
     return foot;
   }
-  /// Faces that lie flat on each other do not touch at their edges, nor do edges at their ends: nodes do.
+  /// Edges touch at their ends only where nodes do. Where faces lie flat on each other edges bear, too: of a block that
+  /// lies across another one no node may lie on a face.
   ASHLAR_HD Foot on_edge(int e, int target) const {
-    constexpr Real flat_sine = Real(2e-3), near_end = Real(0.01);
+    constexpr Real flat_sine = Real(2e-3);
     const int* const own = contacts.edge + 4 * e;
     const int* const other = contacts.edge + 4 * target;
     const int o = other[0];
@@ -229,48 +246,50 @@ struct MoveContact {
     foot.weight[1] = crossing.other;
     foot.weight[2] = crossing.own - Real(1);
     foot.weight[3] = -crossing.own;
-    const bool own_flat = crossing.own_leans > -flat_sine, other_flat = crossing.other_leans > -flat_sine;
     const bool away = crossing.own_leans > flat_sine || crossing.other_leans > flat_sine;
-    foot.beside = crossing.parallel || away || (own_flat && other_flat) || beyond(e, 0, crossing.own) ||
-                  beyond(e, 1, Real(1) - crossing.own) || beyond(target, 0, crossing.other) ||
-                  beyond(target, 1, Real(1) - crossing.other);
-    const int end = crossing.own < Real(0.5) ? 0 : 1;
-    const Real from_end = end == 0 ? crossing.own : Real(1) - crossing.own;
-    foot.takes_over = contacts.edge_goes_on[2 * e + end] != int(EdgeEnd::corner) && from_end < near_end;
+    foot.beside = crossing.parallel || away || beyond(e, 0, crossing.own) || beyond(e, 1, Real(1) - crossing.own) ||
+                  beyond(target, 0, crossing.other) || beyond(target, 1, Real(1) - crossing.other);
     return foot;
   }
-  /// Whether a place, counted from one end of an edge, is none of this edge. One of two pieces of a long edge has a bit
-  /// of the other one, so that nodes that meet do so inside a piece.
+  /// Whether a place, counted from one end of an edge, is none of this edge. Pieces of a long edge have a bit of each
+  /// other, so that nothing falls between them.
   ASHLAR_HD bool beyond(int e, int end, Real from_end) const {
-    return from_end < (contacts.edge_goes_on[2 * e + end] == int(EdgeEnd::takes_more) ? Real(-1e-3) : Real(1e-3));
+    return from_end < (contacts.edge_ends[2 * e + end] == 1 ? Real(1e-3) : Real(-1e-3));
   }
-  /// Of the targets that the probe lies over or behind the nearest one; one that pressed stays on what looks the same
-  /// way, until another face comes to be as near: the force's potential goes on over it.
+  /// Of the targets that the probe lies over or behind the nearest one; one that pressed stays where it was, or else on
+  /// what looks the same way, until another face comes to be as near: the force's potential goes on over it.
   ASHLAR_HD Foot nearest(int p, const ProbeMemory<Real>& memory) const {
     constexpr Real same_way = Real(0.9);
     const bool pressed = memory.pressed > Real(0);
+    const int own = int(memory.own), target = int(memory.target);
     Foot best, last;
     Real moved = Real(0);
+    Vec3<Real> moved_before;
     if (pressed) {
-      last = foot_on(p, int(memory.target));
-      moved = Real(2) * step * norm(relative_speed(p, int(memory.target), last));
+      last = foot_on(p, own, target);
+      moved_before = step * relative_speed(p, own, target, last);
+      moved = Real(2) * norm(moved_before);
     }
     for (int i = 0; i < contact_nodes; ++i) best.weight[i] = Real(0);
     Real least = Real(0);
     for (int j = contacts.first[p]; j < contacts.first[p + 1]; ++j) {
-      Foot foot = foot_on(p, contacts.target[j]);
+      Foot foot = foot_on(p, contacts.own[j], contacts.target[j]);
       const Real distance = foot.gap < Real(0) ? -foot.gap : foot.gap;
       if (foot.beside || distance > contacts.reach) continue;
       Real cost = distance;
-      if (pressed && dot(foot.normal, last.normal) > same_way)
+      if (pressed && contacts.own[j] == own && contacts.target[j] == target)
+        cost = distance - Real(4) * contacts.reach;
+      else if (pressed && dot(foot.normal, last.normal) > same_way)
         cost = distance - Real(2) * contacts.reach;
       else if (pressed && foot.gap < Real(0) && foot.gap > last.gap && foot.gap <= last.gap + moved)
-        cost = distance - Real(4) * contacts.reach;
+        cost = distance - Real(6) * contacts.reach;
       if (best.candidate >= 0 && cost >= least) continue;
       least = cost;
       best = foot;
       best.candidate = j;
     }
+    best.normal_before = last.normal;
+    best.moved_before = moved_before;
     return best;
   }
 };

@@ -3,9 +3,6 @@
 
 namespace ashlar {
 
-/// How an edge ends: where another one continues it, one of the two has a little more than its own.
-enum class EdgeEnd : int { corner, takes_more, takes_less };
-
 /// Where two sharp edges pass each other: the points of both lines that are nearest to each other.
 template <class Real>
 struct EdgeCrossing {

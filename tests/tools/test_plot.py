@@ -76,6 +76,32 @@ class Plot(unittest.TestCase):
         self.assertEqual(sorted(seen.cell), [0, 1, 1])
         self.assertTrue((geometry.normals(seen, turned)[:, 1] < 0).all())
 
+    def test_what_is_drawn_last_at_a_place_is_what_lies_nearest_there(self):
+        cube = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], float)
+        bodies = [cube * [20, 20, 1] - [0, 0, 1]]  # a large plate, small cubes on it at its far and near side
+        for place in ([3, 17, 0], [17, 3, 0], [3, 3, 0], [4.2, 3.3, 0], [16, 17, 0], [3.3, 3.2, 1]):
+            c, s = np.cos(place[0]), np.sin(place[0])
+            bodies.append((cube - [0.5, 0.5, 0]) @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]) + place)
+        count, points = len(bodies), np.concatenate(bodies)
+        mesh = results.Mesh(points, np.arange(8 * count), 8 * np.arange(count + 1), np.full(count, 12),
+                            np.zeros(count, int), ["rock"])
+        view = geometry.view_along("iso")
+        seen = geometry.facing(geometry.outer_faces(mesh, np.ones(count, bool), points), points, view)
+        at = seen.at_corners(points)
+        shape, depth = view.project(at).reshape(-1, 4, 2), (at @ view.away).reshape(-1, 4)
+        low, high = shape.min(axis=(0, 1)), shape.max(axis=(0, 1))
+        covered = 0
+        for place in np.random.default_rng(7).uniform(low, high, (4000, 2)):
+            along = np.roll(shape, -1, axis=1) - shape
+            side = geometry.cross2(along, place - shape)
+            over = np.flatnonzero((side > 1e-6).all(axis=1) | (side < -1e-6).all(axis=1))
+            if len(over) == 0:
+                continue
+            deep = [geometry.plane_depth(shape[[i]], depth[[i]], place[None])[0] for i in over]
+            self.assertEqual(over[np.argmin(deep)], over.max())
+            covered += len(over) > 1
+        self.assertGreater(covered, 50)
+
     def test_a_linear_field_is_exact_on_a_profile(self):
         mesh = self.run_read.mesh
         cut = geometry.section(mesh, self.all_elements(), 1, 5.0)

@@ -70,10 +70,10 @@ stage "rest" { solve = static { tolerance = 1e-6, increments = 3 } }
 stage "factor" { solve = strength_reduction { between = { 1, 64 }, width = 1, tolerance = 1e-5, max_steps = 400 } }
 stage "push" { apply = { pressure { surface = "over.left", value = 0.1*MPa } }, solve = static { tolerance = 1e-6 } }
 """
-# A deck of its own: a block falls on an edge of its own, tumbles and slides.
+# A deck of its own: a block falls on the edge of the ground, tumbles and slides.
 TUMBLE = """
 model "tumble" {}
-box "ground" { from = {-1,-1,-0.2}, to = {1,1,0}, cells = {3,3,1} }
+box "ground" { from = {-1,-1,-0.2}, to = {0.05,1,0}, cells = {3,4,1} }
 box "block" { from = {-0.1,-0.1,-0.1}, to = {0.1,0.1,0.1}, cells = {2,2,2},
   x = function(x, y, z) return 0.8 * x + 0.6 * z end, z = function(x, y, z) return 0.2 - 0.6 * x + 0.8 * z end }
 material "rock" { region = { "ground", "block" }, density = 2500*kg/m^3, young = 5*GPa, poisson = 0.2 }

@@ -1,5 +1,6 @@
 """Polygons to draw: outer faces seen from a direction, plane sections, outlines, interface traces."""
 import dataclasses
+import heapq
 
 import numpy as np
 
@@ -12,6 +13,7 @@ FACES = {
 EDGES = {kind: sorted({tuple(sorted((f[i], f[i - 1]))) for f in faces for i in range(len(f))})
          for kind, faces in FACES.items()}
 CORNERS = {12: 8, 13: 6, 10: 4}
+MOST_ORDERED = 20000  # polygons that are ordered pair by pair; more are small ones, ordered by their centres
 VISIBLE = 0.005  # of the model's size: a gap that is drawn
 
 
@@ -145,14 +147,107 @@ def normals(polygons, points):
 
 
 def facing(polygons, points, view):
-    """The polygons that turn their outside to the eye, far ones first."""
+    """The polygons that turn their outside to the eye, those that lie behind others first."""
     seen = polygons.chosen(normals(polygons, points) @ view.away < -0.05)
-    depth = seen.mean(seen.at_corners(points) @ view.away) if len(seen) else np.zeros(0)
-    order = np.argsort(-depth, kind="stable")
+    at = seen.at_corners(points)
+    order = behind_first(seen.start, view.project(at), at @ view.away) if len(seen) else []
     corners = np.concatenate([np.arange(seen.start[i], seen.start[i + 1]) for i in order]) if len(order) else []
     corners = np.asarray(corners, int)
     return Polygons(seen.first[corners], seen.second[corners], seen.weight[corners],
                     np.concatenate([[0], np.cumsum(np.diff(seen.start)[order])]), seen.cell[order])
+
+
+def behind_first(start, screen, depth):
+    """Numbers of convex polygons, each after all that it hides. `screen` [corners, 2], `depth` [corners] grows away from the
+    eye. Where some hide each other in a ring the one whose centre is farthest comes first."""
+    count = np.diff(start)
+    if len(count) > MOST_ORDERED:
+        return np.argsort(-np.add.reduceat(depth, start[:-1]) / count, kind="stable")
+    corner = start[:-1, None] + np.minimum(np.arange(count.max()), count[:, None] - 1)  # the last one again and again
+    shape, deep = screen[corner], depth[corner]
+    low, high = shape.min(axis=1), shape.max(axis=1)
+    grain = 1e-6 * max(np.ptp(screen, axis=0).max(), 1e-300)
+    hidden, hides = [], []
+    by_left = np.argsort(low[:, 0], kind="stable")
+    ends = np.searchsorted(low[by_left, 0], high[:, 0] - grain)
+    for place, i in enumerate(by_left):
+        others = by_left[place + 1:ends[i]]
+        others = others[(low[others, 1] < high[i, 1] - grain) & (high[others, 1] > low[i, 1] + grain)]
+        if len(others) == 0:
+            continue
+        nearer = who_is_nearer(shape[i], deep[i], shape[others], deep[others], grain)
+        for other in others[nearer > 0]:
+            hidden.append(i)
+            hides.append(other)
+        for other in others[nearer < 0]:
+            hidden.append(other)
+            hides.append(i)
+    return sorted_by_cover(deep.mean(axis=1), np.asarray(hidden, int), np.asarray(hides, int))
+
+
+def who_is_nearer(shape, deep, others, deep_others, grain):
+    """[others] 1: the other one hides the polygon where both lie on the screen, -1: it is hidden, 0: they do not meet."""
+    count, n = others.shape[:2]
+    mine = np.broadcast_to(shape, others.shape)
+    along, along_others = np.roll(mine, -1, axis=1) - mine, np.roll(others, -1, axis=1) - others
+    way = others[:, None] - mine[:, :, None]
+    turn = cross2(along[:, :, None], along_others[:, None])
+    turn = np.where(np.abs(turn) > grain * grain, turn, np.inf)
+    first, second = cross2(way, along_others[:, None]) / turn, cross2(way, along[:, :, None]) / turn
+    crosses = (first > 1e-6) & (first < 1 - 1e-6) & (second > 1e-6) & (second < 1 - 1e-6)
+    crossing = mine[:, :, None] + first[..., None] * along[:, :, None]
+    # The mean of all places that both polygons share at their rims lies inside both.
+    places = np.concatenate([mine, others, crossing.reshape(count, n * n, 2)], axis=1)
+    use = np.concatenate([inside(mine, others, along_others, grain), inside(others, mine, along, grain),
+                          crosses.reshape(count, n * n)], axis=1)
+    middle = (use[..., None] * places).sum(axis=1) / np.maximum(use.sum(axis=1), 1)[:, None]
+    behind = plane_depth(shape[None], deep[None], middle) - plane_depth(others, deep_others, middle)
+    return np.where(use.any(axis=1) & (np.abs(behind) > 10 * grain), np.sign(behind), 0)
+
+
+def inside(corners, polygons, along, grain):
+    """[polygons, corners] which corners lie inside the convex polygon of the same row, whose edges are `along`."""
+    side = cross2(along[:, None], corners[:, :, None] - polygons[:, None])
+    margin = grain * np.linalg.norm(along, axis=-1)[:, None]
+    none = margin < grain * grain  # an edge without length
+    return ((side > margin) | none).all(axis=2) | ((side < -margin) | none).all(axis=2)
+
+
+def cross2(a, b):
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+
+
+def plane_depth(shape, deep, at):
+    """Depth of polygons at places of the screen, by the plane through their corners (least squares)."""
+    middle, level = shape.mean(axis=1), deep.mean(axis=1)
+    x = shape - middle[:, None]
+    products = np.einsum("pki,pkj->pij", x, x)
+    slope = np.einsum("pij,pj->pi", np.linalg.pinv(products), np.einsum("pki,pk->pi", x, deep - level[:, None]))
+    return level + np.einsum("pi,pi->p", np.broadcast_to(slope, at.shape), at - middle)
+
+
+def sorted_by_cover(depth, hidden, hides):
+    """Every number of `hidden` before the number of `hides` beside it, else far ones first."""
+    follow = [[] for _ in depth]
+    waits = np.zeros(len(depth), int)
+    for back, front in zip(hidden, hides):
+        follow[back].append(front)
+        waits[front] += 1
+    ready = [(-depth[i], i) for i in np.flatnonzero(waits == 0)]
+    heapq.heapify(ready)
+    far = iter(np.argsort(-depth, kind="stable"))
+    order, done = [], np.zeros(len(depth), bool)
+    while len(order) < len(depth):
+        i = heapq.heappop(ready)[1] if ready else next(k for k in far if not done[k])
+        if done[i]:
+            continue
+        done[i] = True
+        order.append(i)
+        for k in follow[i]:
+            waits[k] -= 1
+            if waits[k] == 0 and not done[k]:
+                heapq.heappush(ready, (-depth[k], k))
+    return np.asarray(order, int)
 
 
 def section(mesh, elements, axis, position):

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <span>
 
 #include "model/contact/overlap_search.hpp"
@@ -20,6 +21,7 @@ constexpr double skin_share = 0.25;       ///< of the side of the smallest face
 constexpr double one_way = 0.9;           ///< cosine between faces that one probe takes together
 constexpr double edge_share = 0.5;        ///< of what a corner has of a face
 constexpr double may_turn = 0.5;          ///< sine of the angle that faces may turn by until the next search
+constexpr double flat_rim = 0.05;         ///< sine by which a rim of flat faces may dip
 constexpr double faces_each_other = 0.1;  ///< least cosine between a probe's face and a triangle that it may touch
 
 Vec3<double> triangle_area(const std::vector<int>& corner, int t, const std::vector<Vec3<double>>& places) {
@@ -85,6 +87,48 @@ std::vector<Facet> block_faces(const Model& model, const Blocks& blocks) {
   return faces;
 }
 
+/// Edges that go on in nearly one direction are pieces of one long edge.
+void find_long_edges(ContactSurface& s, const std::vector<Vec3<double>>& places) {
+  std::vector<std::vector<int>> edges_at(places.size());
+  for (int e = 0; e < s.edge_count(); ++e)
+    for (int end = 0; end < 2; ++end) edges_at[s.edge[4 * e + end]].push_back(e);
+  s.edge_ends.assign(2 * static_cast<std::size_t>(s.edge_count()), 1);
+  s.long_edge.assign(s.edge_count(), -1);
+  int count = 0;
+  for (int seed = 0; seed < s.edge_count(); ++seed) {
+    if (s.long_edge[seed] >= 0) continue;
+    s.long_edge[seed] = count;
+    for (int side = 0; side < 2; ++side) {
+      const Vec3<double> along = places[s.edge[4 * seed + side]] - places[s.edge[4 * seed + 1 - side]];
+      for (int last = seed, end = side, next = seed; next >= 0;) {
+        const int node = s.edge[4 * last + end];
+        next = -1;
+        for (const int e : edges_at[node]) {
+          if (s.long_edge[e] >= 0) continue;
+          const Vec3<double> on = places[s.edge[4 * e] == node ? s.edge[4 * e + 1] : s.edge[4 * e]] - places[node];
+          if (dot(on, along) > one_way * norm(on) * norm(along)) next = e;
+        }
+        if (next < 0) break;
+        const int near = s.edge[4 * next] == node ? 0 : 1;
+        s.edge_ends[2 * last + end] = s.edge_ends[2 * next + near] = 0;
+        s.long_edge[next] = count;
+        last = next;
+        end = 1 - near;
+      }
+    }
+    ++count;
+  }
+}
+
+/// How much of the interface's stiffness a probe presses on a face with.
+double share_of_stiffness(const ContactSurface& surface, int p, int t) {
+  double own = 0;
+  const int first = surface.first_facet[p], end = surface.first_facet[p + 1];
+  for (int f = first; f < end; ++f) own += surface.face_area[surface.facet[f]] / (end - first);
+  const double share = std::clamp(3 * surface.face_area[t] / (surface.face_area[t] + own) - 1, 0.0, 1.0);
+  return surface.sharp[p] ? std::max(share, 0.5) : share;
+}
+
 }  // namespace
 
 std::vector<int> interface_of_regions(const Model& model) {
@@ -128,6 +172,7 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
   }
   struct Share {
     int triangle, block, region;
+    std::array<int, 2> rim;
     double area;
     Vec3<double> normal;
   };
@@ -155,7 +200,12 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
     if (nodes.size() == 3) areas[2] += areas[3];
     smallest = std::min(smallest, norm(whole));
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      around[nodes[i]].push_back({s.triangle_count(), block, region, areas[i], (1 / norm(whole)) * whole});
+      around[nodes[i]].push_back({s.triangle_count(),
+                                  block,
+                                  region,
+                                  {nodes[(i + 1) % nodes.size()], nodes[(i + nodes.size() - 1) % nodes.size()]},
+                                  areas[i],
+                                  (1 / norm(whole)) * whole});
     for (std::size_t i = 0, count = nodes.size(); i < count; ++i) {
       const int a = nodes[i], b = nodes[(i + 1) % count];
       sides[{std::min(a, b), std::max(a, b)}].push_back({s.triangle_count(), nodes[(i + 2) % count], block, region,
@@ -166,6 +216,7 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
       s.corner.insert(s.corner.end(), {nodes[0], nodes[i], nodes[i + 1]});
       s.block.push_back(block);
       s.region.push_back(region);
+      s.face_area.push_back(norm(whole));
     }
   }
   s.skin = skin_share * std::sqrt(smallest);
@@ -176,6 +227,8 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
       s.probe_block.push_back(first.block);
       s.probe_region.push_back(first.region);
       std::vector<Share> others;
+      std::set<int> rim;
+      double nearest = 1;  // cosine of the angle to the first face
       for (const Share& share : around[n]) {
         if (dot(share.normal, first.normal) < one_way || share.region != first.region) {
           others.push_back(share);
@@ -183,8 +236,14 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
         }
         s.facet.push_back(share.triangle);
         s.area.push_back(share.area);
+        rim.insert(share.rim.begin(), share.rim.end());
+        nearest = std::min(nearest, dot(share.normal, first.normal));
       }
       s.first_facet.push_back(static_cast<int>(s.facet.size()));
+      s.rim.insert(s.rim.end(), rim.begin(), rim.end());
+      s.first_rim.push_back(static_cast<int>(s.rim.size()));
+      s.may_dip.push_back(flat_rim + std::sqrt(std::max(0.0, 1 - nearest * nearest)));
+      s.sharp.push_back(!others.empty() || (s.probe_count() > 1 && s.probe_node[s.probe_count() - 2] == n));
       around[n] = std::move(others);
     }
   const std::vector<Vec3<double>>& places = discretisation.block_points;
@@ -198,23 +257,7 @@ ContactSurface contact_surface(const Model& model, const Blocks& blocks, const D
     s.edge_block.push_back(faces[0].block);
     s.edge_region.push_back(faces[0].region);
   }
-  std::vector<std::vector<int>> edges_at(around.size());
-  for (int e = 0; e < s.edge_count(); ++e)
-    for (int end = 0; end < 2; ++end) edges_at[s.edge[4 * e + end]].push_back(e);
-  for (int e = 0; e < s.edge_count(); ++e)
-    for (int end = 0; end < 2; ++end) {
-      const int node = s.edge[4 * e + end], far = s.edge[4 * e + 1 - end];
-      const auto continues = [&](int next) {
-        const int beyond = s.edge[4 * next] == node ? s.edge[4 * next + 1] : s.edge[4 * next];
-        const Vec3<double> before = places[node] - places[far], after = places[beyond] - places[node];
-        return dot(before, after) > one_way * norm(before) * norm(after);
-      };
-      const auto next = std::find_if(edges_at[node].begin(), edges_at[node].end(), continues);
-      const EdgeEnd how = next == edges_at[node].end() ? EdgeEnd::corner
-                          : e < *next                  ? EdgeEnd::takes_more
-                                                       : EdgeEnd::takes_less;
-      s.edge_goes_on.push_back(static_cast<int>(how));
-    }
+  find_long_edges(s, places);
   return s;
 }
 
@@ -250,7 +293,10 @@ ContactCandidates find_candidates(const ContactSurface& surface, const std::vect
       whole += surface.area[f];
     }
     if (seen < faces_each_other * whole) continue;
+    seen *= share_of_stiffness(surface, p, t);
+    if (!(seen > 0)) continue;
     begin_until(p);
+    found.own.push_back(surface.probe_node[p]);
     found.target.push_back(t);
     found.law.push_back(law);
     found.area.push_back(seen);
@@ -261,19 +307,30 @@ ContactCandidates find_candidates(const ContactSurface& surface, const std::vect
     of_edges.push_back(box_of({&surface.edge[4 * e], 2}, places));
     wider.push_back({of_edges[e].low - skin, of_edges[e].high + skin});
   }
+  struct Crossing {
+    int own, target, law;
+    double area;
+  };
+  std::map<std::array<int, 2>, std::vector<Crossing>> crossings;
   for (const auto& [p, t] : meeting_boxes(wider, of_edges)) {
-    if (p == t || (surface.edge_block[p] == surface.edge_block[t] && surface.edge_region[p] == surface.edge_region[t]))
+    if (surface.long_edge[p] >= surface.long_edge[t] ||
+        (surface.edge_block[p] == surface.edge_block[t] && surface.edge_region[p] == surface.edge_region[t]))
       continue;
     const int law = surface.interface[surface.edge_region[p] * regions + surface.edge_region[t]];
     if (law < 0) continue;
     const double pressing = crossing_area(surface, places, area, p, t);
-    if (!(pressing > 0)) continue;
-    begin_until(probes + p);
-    found.target.push_back(t);
-    found.law.push_back(law);
-    found.area.push_back(pressing);
+    if (pressing > 0) crossings[{surface.long_edge[p], surface.long_edge[t]}].push_back({p, t, law, pressing});
   }
-  begin_until(probes + surface.edge_count());
+  for (const auto& [pair, pieces] : crossings) {
+    found.pairs.push_back(pair);
+    for (const Crossing& c : pieces) {
+      found.own.push_back(c.own);
+      found.target.push_back(c.target);
+      found.law.push_back(c.law);
+      found.area.push_back(c.area);
+    }
+    found.first.push_back(static_cast<int>(found.target.size()));
+  }
   return found;
 }
 
@@ -289,8 +346,7 @@ std::vector<double> contact_stiffness(const ContactSurface& surface, int node_co
   for (int p = 0; p < surface.probe_count(); ++p) {
     double area = 0;
     for (int f = surface.first_facet[p]; f < surface.first_facet[p + 1]; ++f) area += surface.area[f];
-    stiffness[surface.probe_node[p]] +=
-        1.5 * stiffest_of(surface.probe_region[p]) * area;  // each side has half of the stiffness
+    stiffness[surface.probe_node[p]] += 2 * stiffest_of(surface.probe_region[p]) * area;
   }
   for (int e = 0; e < surface.edge_count(); ++e) {
     const double area = surface.edge_area[2 * e] + surface.edge_area[2 * e + 1];
