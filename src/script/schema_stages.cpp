@@ -132,8 +132,9 @@ std::vector<NounRule> stage_nouns() {
                     "true: blocks move and turn as far as they like, part, fall and meet others. Whatever two regions "
                     "a frictional joint or crackable names touch wherever they meet (blocks of one region as the first "
                     "joint of that region says): nodes of either on faces of the other and sharp edges across each "
-                    "other, each side with half of the stiffness. Loads keep their direction; stress "
-                    "is given in axes that turn with the body, and interface results show nothing. Later stages have "
+                    "other. Where faces lie on each other the side with the smaller ones bears, equal ones half each. "
+                    "Loads keep their direction; stress is given in axes that turn with the body, and interface "
+                    "results show nothing. Later stages have "
                     "to be of this kind too")
                     .otherwise(0),
                 number("contact_damping", dimension::time, range::not_negative,
