@@ -7,8 +7,8 @@
 local args = deck.args { elements = { default = "hex8", doc = "hex8, wedge6 or tet4" } }
 local deep, wide, conductivity, density, capacity = 8, 4, 2.7, 2400, 960
 local w = 2 * math.pi / (365.25 * 86400)
-local s = math.sqrt(2 * conductivity / (density * capacity * w))
-local function wave(_, _, z, t) return 10 + 12 * math.exp(z / s) * math.cos(w * t + z / s) end
+local fades = math.sqrt(2 * conductivity / (density * capacity * w))
+local function wave(_, _, z, t) return 10 + 12 * math.exp(z / fades) * math.cos(w * t + z / fades) end
 
 model "annual_wave" { reference_temperature = 10*degC }
 box "ground" { from = { 0, 0, -deep }, to = { wide, wide, 0 }, size = 0.5, elements = args.elements }

@@ -8,7 +8,6 @@ local args = deck.args {
   air      = { default = "still", doc = "still: 0 degC; changing: warms as the formwork goes" },
 }
 local edge, density, capacity, start = 0.2, 2400, 1000, 30
-local hours = 3600*s
 
 model "film_in_time" { reference_temperature = start*degC }
 box "cube" { from = { 0, 0, 0 }, to = { edge, edge, edge }, cells = { 2, 2, 2 }, elements = args.elements }

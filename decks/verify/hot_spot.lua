@@ -4,8 +4,8 @@
 -- Accept: 5 %, from the nodes; of hex8 and wedge6 beside the arc also of the elements' means.
 -- Runs: elements=hex8 | elements=wedge6 | elements=tet4
 local args = deck.args { elements = { default = "hex8", doc = "hex8, wedge6 or tet4" } }
-local mm = 1e-3
-local a, side, thick, young, growth = 1*mm, 10*mm, 0.05*mm, 100e9, 1e-3
+local unit = 1e-3
+local a, side, thick, young, growth = 1*unit, 10*unit, 0.05*unit, 100e9, 1e-3
 
 model "hot_spot" { reference_temperature = 0*degC }
 -- A quarter. Spot and sheet are two bodies that share the arc.
@@ -17,9 +17,9 @@ for i = 1, #arc do
   spot[#spot + 1] = arc[i]
   sheet[#sheet + 1] = arc[#arc + 1 - i]
 end
-extrude "spot"  { section = spot, length = thick, layers = 1, size = 0.07*mm, structured = false, elements = args.elements }
+extrude "spot"  { section = spot, length = thick, layers = 1, size = 0.07*unit, structured = false, elements = args.elements }
 extrude "sheet" {
-  section = sheet, length = thick, layers = 1, size = 1*mm, grow = 1.1, structured = false, elements = args.elements,
+  section = sheet, length = thick, layers = 1, size = 1*unit, grow = 1.1, structured = false, elements = args.elements,
 }
 material "hot"  { region = "spot", young = young*Pa, poisson = 0.3, density = 7850*kg/m^3, expansion = 1e-5/K }
 material "cold" { region = "sheet", young = young*Pa, poisson = 0.3, density = 7850*kg/m^3, expansion = 0/K }
@@ -32,7 +32,7 @@ stage "warm" { solve = static { tolerance = 1e-8 } }
 
 local function compare(r, field)
   local name = string.format("r = %.2f mm", r)
-  history(name) { at = { r*mm, thick / 2, 0 }, record = { field } }
+  history(name) { at = { r*unit, thick / 2, 0 }, record = { field } }
   local around = r < 1 and -young * growth / 2 or young * growth / 2 / r^2
   local along = r < 1 and around or -around
   expect("hoop stress at " .. name) { history = name, component = field .. ".zz", value = around, relative = 0.05 }

@@ -6,7 +6,7 @@
 local args = deck.args { elements = { default = "hex8", doc = "hex8, wedge6 or tet4" } }
 local stiffness, height = 1*GPa/m, 5*m
 local head = 3*m
-local pressure = 1000*kg/m^3 * 9.81*m/s^2 * head
+local water = 1000*kg/m^3 * 9.81*m/s^2 * head
 
 model "joint_uplift" {}
 box "rock"  { from = { 0, 0, -2*m }, to = { 4*m, 1*m, 0 }, cells = { 4, 1, 2 }, elements = args.elements }
@@ -27,7 +27,7 @@ history "top"     { at = { 0, 0, height }, record = { "displacement" } }
 history "foot"    { surface = "rock.bottom", record = { "reaction" } }
 history "pressed" { surface = "underside", record = { "load" } }
 expect "rise" {
-  history = "top", component = "displacement.z", stage = "uplift", value = pressure / stiffness, relative = 1e-6,
+  history = "top", component = "displacement.z", stage = "uplift", value = water / stiffness, relative = 1e-6,
 }
 expect "base" { history = "foot", component = "reaction.z", stage = "uplift", value = 2500*9.81*28*N, relative = 1e-6 }
-expect "load" { history = "pressed", component = "load.z", stage = "uplift", value = pressure * 4*m^2, relative = 1e-9 }
+expect "load" { history = "pressed", component = "load.z", stage = "uplift", value = water * 4*m^2, relative = 1e-9 }

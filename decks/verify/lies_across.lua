@@ -4,12 +4,12 @@
 -- Runs: turned=90 | turned=50
 local args = deck.args { turned = { default = 90, doc = "degrees between the planks" } }
 local length, side, density, g, stiffness = 1, 0.1, 2500, 9.81, 1e9
-local weight, c, s = density * side ^ 2 * length * g, math.cos(args.turned * deg), math.sin(args.turned * deg)
+local weight, c, sine = density * side ^ 2 * length * g, math.cos(args.turned * deg), math.sin(args.turned * deg)
 model "planks" {}
 box "lower" { from = { -length / 2, -side / 2, -side }, to = { length / 2, side / 2, 0 }, cells = { 1, 1, 1 } }
 box "upper" {
   from = { -length / 2, -side / 2, 0 }, to = { length / 2, side / 2, side }, cells = { 1, 1, 1 },
-  x = function(x, y, z) return c * x - s * y end, y = function(x, y, z) return s * x + c * y end,
+  x = function(x, y, z) return c * x - sine * y end, y = function(x, y, z) return sine * x + c * y end,
 }
 material "rock" { region = { "lower", "upper" }, density = density*kg/m^3, young = 500*GPa, poisson = 0 }
 joint "contact" {

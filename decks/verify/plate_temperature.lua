@@ -28,11 +28,11 @@ local function compare(name, place, field)
     expect(name .. " " .. component) { history = name, component = field .. "." .. component, value = exact, tolerance = reach }
   end
 end
-local solid = args.elements ~= "tet4"
-for layer = solid and 0 or 1, solid and 8 or 7 do
+local whole = args.elements ~= "tet4"
+for layer = whole and 0 or 1, whole and 8 or 7 do
   compare(string.format("node z = %.4f", layer / 8), { 0.5, 0.5, layer / 8 * c }, "nodal_stress")
 end
-if solid then
+if whole then
   for layer = 0, 7 do
     compare(string.format("element z = %.4f", (layer + 0.5) / 8), { 0.25, 0.25, (layer + 0.5) / 8 * c }, "stress")
   end

@@ -9,7 +9,7 @@ local args = deck.args {
   elements = { default = "hex8", doc = "hex8 or wedge6; the mean of a tet4 belongs to the depth of its centroid" },
   film = { default = 0, unit = W/(m^2*K), doc = "film coefficient; 0: the temperature of the surface is given" },
 }
-local depth, joint_depth, year = 24*m, 12*m, 365*days
+local depth, joint_depth, period = 24*m, 12*m, 365*days
 local mean, swing = 10*degC, 12*degC
 local E, nu, alpha, k, rho, c = 25*GPa, 0.2, 1e-5/K, 2.5*W/(m*K), 2400*kg/m^3, 960*J/(kg*K)
 local k_n = 20*GPa/m
@@ -52,7 +52,7 @@ else
 end
 
 stage "start" { solve = static { tolerance = 1e-8 } }
-stage "years" { solve = coupled { duration = 2.25 * year, every = year / 12, tolerance = 1e-8 } }
+stage "years" { solve = coupled { duration = 2.25 * period, every = period / 12, tolerance = 1e-8 } }
 
 history "top" { at = { 0, 0, 0 }, record = { "displacement", "temperature" } }
 local places = { [0.1] = "shallow", [2.1] = "deep", [11.9] = "at the joint" }

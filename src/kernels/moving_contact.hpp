@@ -146,6 +146,7 @@ struct MoveContact {
         }
       }
     }
+    now.offset = now.offset + Real(0);  // of two zeros a device's compiler chooses the other
     contacts.memory[p] = now;
     contacts.active[p] = foot.candidate;
     contacts.stored[p] = stored(now);

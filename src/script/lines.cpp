@@ -112,9 +112,9 @@ class Locals {
 
   std::vector<LocalName> all() {
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (is(i, "repeat") || is(i, "if")) blocks_.push_back(false);
+      if (is(i, "repeat") || is(i, "if")) ++depth_;
       if (is(i, "do")) {
-        blocks_.push_back(false);
+        ++depth_;
         for (const std::size_t name : std::exchange(loop_, {})) declare(name, true);
       }
       if (is(i, "end") || is(i, "until")) leave();
@@ -123,7 +123,8 @@ class Locals {
       if (is(i, "local") && is(i + 1, "function")) declare(i + 2, false);
       if (is(i, "local") && !is(i + 1, "function"))
         for (const std::size_t name : names_from(i + 1)) declare(name, false);
-      if (i > 0 && tokens_[i].kind == Token::word && (is(i - 1, "*") || is(i - 1, "/"))) use(tokens_[i].value);
+      if (i > 1 && tokens_[i].kind == Token::word && (is(i - 1, "*") || is(i - 1, "/")) && is(i - 2, "0"))
+        use(tokens_[i].value);
     }
     return std::move(found_);
   }
@@ -144,19 +145,18 @@ class Locals {
     return names;
   }
   void enter_function(std::size_t i) {
-    blocks_.push_back(true);
+    ++depth_;
     while (i < tokens_.size() && !is(i, "(")) ++i;
     for (const std::size_t name : names_from(i + 1)) declare(name, true);
   }
   void declare(std::size_t i, bool of_block) {
     if (i >= tokens_.size() || tokens_[i].kind != Token::word) return;
-    const bool in_function = std::find(blocks_.begin(), blocks_.end(), true) != blocks_.end();
-    seen_.push_back({found_.size(), blocks_.size()});
-    found_.push_back({tokens_[i].value, tokens_[i].line, of_block || in_function, false});
+    seen_.push_back({found_.size(), depth_});
+    found_.push_back({tokens_[i].value, tokens_[i].line, of_block || depth_ > 0, false});
   }
   void leave() {
-    if (!blocks_.empty()) blocks_.pop_back();
-    while (!seen_.empty() && seen_.back().depth > blocks_.size()) seen_.pop_back();
+    if (depth_ > 0) --depth_;
+    while (!seen_.empty() && seen_.back().depth > depth_) seen_.pop_back();
   }
   void use(const std::string& name) {
     for (auto seen = seen_.rbegin(); seen != seen_.rend(); ++seen)
@@ -167,12 +167,13 @@ class Locals {
   }
 
   struct Seen {
-    std::size_t index, depth;
+    std::size_t index;
+    int depth;
   };
   const std::vector<Token>& tokens_;
   std::vector<LocalName> found_;
   std::vector<Seen> seen_;         ///< those in whose block the cursor is
-  std::vector<bool> blocks_;       ///< open ones; true: a function
+  int depth_ = 0;                  ///< of blocks that are open
   std::vector<std::size_t> loop_;  ///< names of a loop whose `do` is still to come
 };
 

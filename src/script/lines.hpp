@@ -9,8 +9,8 @@ namespace ashlar {
 struct LocalName {
   std::string name;
   int line = 0;
-  bool of_block = false;   ///< of a loop, a parameter or inside a function: seen in a few lines only
-  bool is_factor = false;  ///< stands behind * or / where it is seen, as a unit does
+  bool of_block = false;   ///< a parameter, or of a loop, a branch or a function: seen in a few lines only
+  bool is_factor = false;  ///< stands behind a number and * or / where it is seen, as a unit does
 };
 
 /// Lines of the keys of literal tables in a deck. Lua keeps one line per call; this lexer over the deck's text

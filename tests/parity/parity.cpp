@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iomanip>
 
 #include "io/mesh_file.hpp"
 #include "model/loads.hpp"
@@ -190,9 +191,14 @@ Model dam(const char* file, Blocks blocks) {
 /// Bit patterns; doubles that hold widened floats compare the same way.
 void expect_same_bits(const std::vector<double>& a, const std::vector<double>& b, const char* what) {
   ASSERT_EQ(a.size(), b.size());
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) different += std::memcmp(&a[i], &b[i], sizeof a[i]) != 0;
-  EXPECT_EQ(different, 0u) << what << ": " << different << " of " << a.size() << " numbers differ";
+  std::size_t different = 0, first = 0;
+  for (std::size_t i = a.size(); i-- > 0;)
+    if (std::memcmp(&a[i], &b[i], sizeof a[i]) != 0) {
+      ++different;
+      first = i;
+    }
+  EXPECT_EQ(different, 0u) << what << ": " << different << " of " << a.size() << " numbers differ, first number " << first
+                           << ": " << std::setprecision(17) << a[first] << " and " << b[first];
 }
 
 /// Set-up, every mechanical phase for `steps` steps, stress, strength; heat steps and the warming that they leave.
