@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -20,7 +21,7 @@ class BalanceLane {
     node_.assign(coarse.member);
     std::vector<int> first_block{0}, of_block;
     for (int a = 0; a < coarse.count(); ++a) {
-      const int nodes = coarse.first[a + 1] - coarse.first[a];
+      const int nodes = std::max(1, coarse.first[a + 1] - coarse.first[a]);  // one without nodes has a block, too
       of_block.insert(of_block.end(), (nodes + nodes_per_block - 1) / nodes_per_block, a);
       first_block.push_back(static_cast<int>(of_block.size()));
     }

@@ -63,7 +63,7 @@ return 2*deg
   std::string found;
   for (const LocalName& local : lines.locals())
     found += local.name + std::to_string(local.line) + (local.of_block ? "b" : "") + (local.is_factor ? "f" : "") + " ";
-  EXPECT_EQ(found, "a1 m1 c2 N2 box3 K3bf i4b t4b J4 x5 t6bf deg7 ");
+  EXPECT_EQ(found, "a1 m1 c2 N2 box3 K3bf i4b t4b J4b x5 t6b deg7b ");
 }
 
 TEST(DeckLines, TwoCallsOnOneLineAreToldApartByName) {
