@@ -62,6 +62,7 @@ ASHLAR_HD float normal_root(float a) {
   return ::sqrtf(a);
 #endif
 }
+/// What a sum of squares begins with that is to go into normal_root(): nothing beside stresses in Pa.
 template <class T>
 inline constexpr T least_square = sizeof(T) == 4 ? T(1e-28f) : T(1e-280);
 
